@@ -13,8 +13,8 @@ import pandas as pd
 import support.headless_vpython  # first: it takes VPython's place
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
-from support.files.cradle_csv import clean_copy, Snapshot
-from support.files.valid_cradle import require_cradle
+from support.files.cradle_csv import Snapshot
+from support.files.valid_cradle import clean_copy, read_cradle
 from support.start.checks_command import checks_command
 from support.start.early import stop_on_signals
 from support.start.mistake import is_pend_list, report_endless_loop, report_mistake
@@ -25,9 +25,8 @@ from support.start.output import refuse, while_it_is_read
 def main() -> None:
     """Print df, bad_rep and pend_list; exit with status 2 if the CSV is no cradle."""
     stop_on_signals()
-    csv = Snapshot(NC_FP)
     try:
-        require_cradle(csv)
+        csv = read_cradle(Snapshot(NC_FP))
     except ValueError as error:
         refuse(error)
     with clean_copy(csv) as relative_filepath:

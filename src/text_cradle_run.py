@@ -18,7 +18,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.player import run
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import has_data, require_replaceable
-from support.files.valid_cradle import require_cradle
+from support.files.valid_cradle import CradleCsv, read_cradle
 from support.main_page import Loop
 from support.start.early import stop_on_signals
 from support.start.mistake import handout_frames, report_endless_loop, report_mistake
@@ -37,9 +37,8 @@ def main() -> None:
     recording. Otherwise the exit status is the one that stop_on_signals chose for the signal.
     """
     options = read_text_options()
-    csv = Snapshot(options.csv)
     try:
-        require_cradle(csv)
+        csv = read_cradle(Snapshot(options.csv))
         require_lifted(options.lift, csv)
         if options.record not in (None, "-"):
             require_replaceable("--record", options.record, has_data, "data of a cradle")
@@ -57,7 +56,7 @@ def main() -> None:
         end_failed(error)
 
 
-def play(loop: Loop, cradle: Cradle, csv: Snapshot, options: Namespace, remark: str) -> None:
+def play(loop: Loop, cradle: Cradle, csv: CradleCsv, options: Namespace, remark: str) -> None:
     """Record the data of a cradle, or show it as well as the output can."""
     if options.record:
         record(loop, cradle, csv, options, remark)

@@ -12,9 +12,8 @@ from support import waits
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
 from support.cradle.collision import AS_MADE, Collision, name_with, Source
-from support.cradle.dragging import HeldBob, move, push_others
+from support.cradle.dragging import move, push_others
 from support.cradle.functions import scope_of, takes_rule
-from support.cradle.hits import Hits
 from support.energy import bob_motions, energies, momentum
 from support.pendulum import cord_angles, discard, Pendulum
 from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
@@ -82,8 +81,6 @@ class Cradle:
         # s: the longest time between two hits of one series. A tick can let a hit go on by only
         # one bob.
         self.series_pause = max(self.period / 180, 3 * self.dt)
-        self.held_bob = HeldBob(self)
-        self.hits = Hits(self)
         self.tick_function = self.scope[self.tick_name]
         present = [name for name in self.collide_names if name in self.scope]
         self.collide_name = (present or self.collide_names)[0]
@@ -124,7 +121,6 @@ class Cradle:
         for pend in reversed(self.pend_list):  # the last discarded object is reused first
             discard(pend["objects"])
         self.pend_list = []
-        self.held_bob.index = None
 
     def accept(self, pend_list: list[Pendulum], columns: Sequence[str]) -> None:
         """Take pend_list, made from a CSV with these columns, as the new cradle.

@@ -1,4 +1,4 @@
-"""Hold a bob, and drag it with the mouse: it pushes its neighbours aside, and they push theirs.
+"""Drag a bob with the mouse: it pushes its neighbours aside, and they push theirs.
 
 A single pendulum has one cord, a double pendulum has two. The angles of a pendulum are the angles
 of its cords from straight down (rad), the upper cord first.
@@ -6,11 +6,9 @@ of its cords from straight down (rad), the upper cord first.
 
 from collections.abc import Iterator
 from math import acos, atan2, ceil, copysign, cos, hypot, pi, remainder, sin
-from typing import TYPE_CHECKING
 
 from vpython import cross, dot, mag, sphere, vector
 
-from support.constants import R_PARAM
 from support.pendulum import (
     contact_distance,
     cord_angles,
@@ -19,64 +17,10 @@ from support.pendulum import (
     show_pendulum,
 )
 
-if TYPE_CHECKING:
-    from support.cradle.cradle import Cradle
-
 STRAIGHT = 0.1  # rad: two cords with a smaller bend between them are straight
 LARGEST_TURN = 0.02  # rad: of a cord at once, or its bob could jump over its neighbour
 FINGER = 1.5  # radii from a bob's centre at which a finger, or the mouse, still grabs it
 MOST_PUSHES = 4  # a pendulum, on the average: then there is no room
-HEAVY = 1e9  # kg: the mass of a held bob; others bounce off it as off a wall
-
-
-class HeldBob:
-    """The bob of a cradle that you hold, or none."""
-
-    def __init__(self, cradle: "Cradle"):
-        self.cradle = cradle
-        self.index: int | None = None  # of the held bob in cradle.bobs()
-        # The held pendulum while the cradle ticks, and its mass (kg) and angles (rad) without this.
-        self.heavy_pend: Pendulum | None = None
-        self.kept_mass = 0.0
-        self.kept_angles: list[float] = []
-
-    def pend_of(self, index: int) -> Pendulum:
-        """Return the pendulum of the bob with this index."""
-        return self.cradle.pend_list[index // self.cradle.cord_count]
-
-    def hold(self, index: int) -> None:
-        """Hold this bob and its pendulum in their place, at rest, until index is None."""
-        self.index = index
-        pend = self.pend_of(index)
-        move(pend, cord_angles(pend), R_PARAM)
-
-    def drag(self, x: float, y: float) -> bool:
-        """Bring the held bob, if there is one, as near as possible to (x, y), in m.
-
-        It stays in the plane of swing. Return whether it has moved.
-        """
-        if self.index is None:
-            return False
-        before = cord_angles(self.pend_of(self.index))
-        pend_index, bob = divmod(self.index, self.cradle.cord_count)
-        drag_bob(self.cradle.pend_list, pend_index, bob, x, y, R_PARAM)
-        return cord_angles(self.pend_of(self.index)) != before
-
-    def make_heavy(self) -> None:
-        """Make the held pendulum heavy, before a few ticks."""
-        if self.index is not None:
-            pend = self.pend_of(self.index)
-            self.heavy_pend = pend
-            self.kept_mass = pend["mass"]
-            self.kept_angles = cord_angles(pend)
-            pend["mass"] = HEAVY
-
-    def put_back(self) -> None:
-        """Put the held pendulum back into its place, at rest, after these ticks."""
-        if self.heavy_pend is not None:
-            self.heavy_pend["mass"] = self.kept_mass
-            move(self.heavy_pend, self.kept_angles, R_PARAM)
-            self.heavy_pend = None
 
 
 # --- one pendulum follows the mouse, the others give way -----------------------------------------

@@ -10,13 +10,12 @@ from functools import partial
 from inspect import signature
 from itertools import accumulate
 from math import isnan, sin
-from typing import Any, NamedTuple, TYPE_CHECKING
+from typing import Any, NamedTuple
 
 from support.constants import G, R_PARAM
+from support.cradle.cradle import Cradle
+from support.cradle.held_bob import HeldBob
 from support.pendulum import Pendulum
-
-if TYPE_CHECKING:
-    from support.cradle.cradle import Cradle
 
 
 class Hit(NamedTuple):
@@ -39,8 +38,9 @@ class Hits:
     function, the velocities after the tick show the hits.
     """
 
-    def __init__(self, cradle: "Cradle"):
+    def __init__(self, cradle: Cradle, held_bob: HeldBob):
         self.cradle = cradle
+        self.held_bob = held_bob
         self.rate_keys = cradle.rate_keys
         self.noted: list[Hit] = []  # since the last call of forget
         self.calls: list[str] = []  # of the collision function, since then, as text
@@ -63,7 +63,7 @@ class Hits:
         """
         if with_calls:
             self.replace(self.cradle.shown_name, self.note_call)
-        if self.cradle.held_bob.index is None:
+        if self.held_bob.index is None:
             self.replace(self.cradle.collide_name, self.note_hit)
 
     def stop(self) -> None:
@@ -135,7 +135,7 @@ class Hits:
     def end_tick(self) -> None:
         """Note the hits of a tick of single pendula in which no function was heard."""
         pendula = self.cradle.pend_list
-        is_held = self.cradle.held_bob.index is not None
+        is_held = self.held_bob.index is not None
         has_states = len(self.omegas) == len(pendula)  # not of double pendula
         if self.has_heard or is_held or not has_states:
             return

@@ -5,7 +5,7 @@ argument page of main: the cradle's page in the browser (support/page/viewer.py)
 its lines or its data file (support/terminal/players.py).
 
 The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows
-the cradle, and plans the next ticks (plan), or wants another cradle (want_cradle): the loop then
+the cradle, and plans the next ticks (plan), or wants another cradle (next.want): the loop then
 ends, and begins again.
 """
 
@@ -13,14 +13,14 @@ from collections.abc import Sequence
 from contextlib import ExitStack
 from math import inf
 from time import perf_counter
-from typing import Any
 
 from support.cradle.cradle import Cradle
-from support.cradle.hits import Hit
+from support.cradle.held_bob import HeldBob
+from support.cradle.hits import Hit, Hits
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
-from support.cradle.settings import Settings
-from support.files.cradle_csv import clean_copy, Snapshot
+from support.cradle.settings import NextCradle, Settings
+from support.files.valid_cradle import clean_copy, CradleCsv
 from support.main_page import Loop, Page
 from support.start.early import import_now
 from support.start.mistake import MistakeError
@@ -46,29 +46,30 @@ class Player(Page):
     def __init__(
         self,
         cradle: Cradle,
-        csv: Snapshot,
+        csv: CradleCsv,
         angles: Sequence[float | None],
         lifted: int | None,
         impacts: int,
         step_seconds: float,
+        pace: RealTime | None = None,
     ):
         """Play the cradle of this CSV; keep the last `impacts` series of hits.
 
         angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's
         own value. step_seconds (s) is the time from sample to sample, to the nearest whole number
-        of ticks.
+        of ticks. pace keeps the time; without one, it is real time.
         """
         self.cradle = cradle
-        # Of the next cradle that the loop makes
-        self.settings = Settings(csv, list(angles), lifted, cradle.collision, cradle.mass)
+        settings = Settings(csv, list(angles), lifted, cradle.collision, cradle.mass)
+        self.next = NextCradle(settings, separating=not cradle.takes_rule)
         self.motion = Motion(cradle, impacts)
-        self.pace = RealTime(cradle.dt)
-        self.separating = not cradle.takes_rule  # whether separating bobs collide, too
+        self.held_bob = HeldBob(cradle)
+        self.hits = Hits(cradle, self.held_bob)
+        self.pace = pace or RealTime(cradle.dt)
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
         self.path = ""  # of a copy of the CSV for the loop
         self.copy = ExitStack()  # it deletes this copy
         self.is_over = False  # whether the simulation has ended
-        self.needs_cradle = False  # whether the loop must end, to make another cradle
         self.is_shown = False  # whether the loop has shown its cradle
         self.last_frame = perf_counter()  # s: when the last frame began
         self.refused = 0  # how often the loop has asked again since is_running was False
@@ -76,7 +77,6 @@ class Player(Page):
         self.planned: float = 0  # those that no batch has yet
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
         self.with_calls = False  # whether calls of the collision function are noted
-        self.looks_at_hits = False  # whether the loop does all ticks, a few in a batch
         # The ticks of a batch.
         self.is_in_batch = False
         self.due: float = 0  # those that the loop must still do
@@ -93,21 +93,20 @@ class Player(Page):
     def take_sample(self) -> None:
         """Show or record this moment; a subclass may define this."""
 
+    def looks_at_hits(self) -> bool:
+        """Return whether the loop does all ticks, a few in a batch; a subclass may define this."""
+        return False
+
     def longest_batch(self) -> int:
         """Return after how many ticks, at most, to look at the cradle."""
-        is_held = self.cradle.held_bob.index is not None
-        return FEW_TICKS if self.looks_at_hits or is_held else self.step
-
-    def want_cradle(self) -> None:
-        """Let the loop end, and make a new cradle: show then releases it, and begins at time 0."""
-        self.needs_cradle = True
-        self.planned = 0
+        is_held = self.held_bob.index is not None
+        return FEW_TICKS if is_held or self.looks_at_hits() else self.step
 
     def plan(self, ticks: float, deadline: float = inf, with_calls: bool = False) -> None:
         """Let `ticks` ticks be done in this frame, but begin none after the deadline.
 
         The deadline is a time on the pace's clock. With with_calls, the loop does them, and
-        cradle.hits notes the calls of the collision function.
+        hits notes the calls of the collision function.
         """
         self.planned = ticks
         self.deadline = deadline
@@ -120,17 +119,15 @@ class Player(Page):
         """
         self.plan(self.pace.due(most), self.pace.frame_start + BUSY)
 
-    def change(self, **settings: Any) -> None:
-        """Change some of the settings of the next cradle."""
-        self.settings = self.settings._replace(**settings)
-
     # --- for the loop --------------------------------------------------------------------------
 
     def begin(self) -> None:
         """Get ready for the loop to make and show a cradle."""
+        self.held_bob.forget()
         self.cradle.give_back()
-        self.path = self.copy.enter_context(clean_copy(self.settings.csv))
-        self.needs_cradle = False
+        self.path = self.copy.enter_context(clean_copy(self.next.settings.csv))
+        self.next.is_wanted = False
+        self.planned = 0
         self.is_shown = False
         self.refused = 0
 
@@ -150,7 +147,7 @@ class Player(Page):
         """
         if not self.cradle.takes_rule:
             return {}
-        return {"approaching_only": not self.separating}
+        return {"approaching_only": not self.next.separating}
 
     def show(self, pend_list: list) -> None:
         """Take and release a new cradle.
@@ -160,12 +157,16 @@ class Player(Page):
         if self.is_shown:
             message = "called page.show again. Show the cradle once, before the loop."
             raise MistakeError(self.loop, message)
+        settings = self.next.settings
         with self.copy:
-            self.cradle.accept(pend_list, self.settings.csv.rows[0].cells)
-            self.cradle.use_mass(self.settings.mass, self.path)
-            self.cradle.use_collision(self.settings.collision, self.path)
+            self.cradle.accept(pend_list, settings.csv.columns)
+            self.cradle.use_mass(settings.mass, self.path)
+            self.cradle.use_collision(settings.collision, self.path)
         self.is_shown = True
-        self.cradle.release(self.settings.angles, self.settings.lifted)
+        if settings.poses and len(settings.poses) == len(pend_list):  # main may read another file
+            self.cradle.pose(settings.poses)
+        else:
+            self.cradle.release(settings.angles, settings.lifted)
         self.motion.restart()
         self.show_new_cradle()
 
@@ -181,7 +182,7 @@ class Player(Page):
         while not self.due:
             if self.is_in_batch:
                 self.end_batch()
-            if self.is_over or self.needs_cradle:
+            if self.is_over or self.next.is_wanted:
                 self.refuse()
                 return False
             if self.planned and self.pace.clock() < self.deadline:
@@ -193,13 +194,13 @@ class Player(Page):
                 self.frame()
         self.due -= 1
         self.motion.ticks += 1
-        self.cradle.hits.begin_tick(self.motion.ticks)
+        self.hits.begin_tick(self.motion.ticks)
         return True
 
     def end_tick(self) -> None:
         """Note the hits of the last tick, and look at the deadline."""
         if self.is_in_batch:
-            self.cradle.hits.end_tick()
+            self.hits.end_tick()
         if self.due and self.pace.clock() >= self.deadline:
             self.planned += self.due
             self.due = 0
@@ -219,11 +220,11 @@ class Player(Page):
         batch = int(min(self.planned, until_sample, self.longest_batch()))
         self.planned -= batch
         self.is_in_batch = True
-        self.cradle.hits.forget()
-        self.cradle.held_bob.make_heavy()
-        must_be_single = self.with_calls or self.looks_at_hits
+        self.hits.forget()
+        self.held_bob.make_heavy()
+        must_be_single = self.with_calls or self.looks_at_hits()
         if must_be_single or not self.do_at_once(batch):
-            self.cradle.hits.listen(self.with_calls)
+            self.hits.listen(self.with_calls)
             self.due = batch
 
     def do_at_once(self, ticks: int) -> bool:
@@ -237,7 +238,7 @@ class Player(Page):
         hits = cradle.many_ticks.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
         if hits is None:
             return False
-        if cradle.held_bob.index is None:
+        if self.held_bob.index is None:
             before = self.motion.ticks
             self.note_hits([hit._replace(tick=before + hit.tick) for hit in hits])
         self.motion.ticks += ticks
@@ -246,10 +247,9 @@ class Player(Page):
     def end_batch(self) -> None:
         """Look at the result of a batch."""
         self.is_in_batch = False
-        hits = self.cradle.hits
-        hits.stop()
-        self.note_hits(hits.noted)
-        self.cradle.held_bob.put_back()
+        self.hits.stop()
+        self.note_hits(self.hits.noted)
+        self.held_bob.put_back()
         self.cradle.require_same_pendula()
         if self.motion.ticks % self.step == 0:
             self.take_sample()
@@ -267,14 +267,13 @@ def run(loop: Loop, player: Player) -> None:
     """
     import_now("pandas")  # not in a student's function, which has no part in the time that it takes
     player.loop = loop
-    player.want_cradle()
     try:
-        while player.needs_cradle:
+        while player.next.is_wanted:
             player.begin()
             loop(player)
             if not player.is_shown:
                 raise MistakeError(loop, "showed no cradle: page.show(pend_list) is missing.")
-            if not (player.needs_cradle or player.is_over):
+            if not (player.next.is_wanted or player.is_over):
                 message = (
                     "ended, but the simulation still runs. Tick while page.is_running() is True."
                 )
@@ -284,5 +283,5 @@ def run(loop: Loop, player: Player) -> None:
         stopped.is_late = seconds > ENDLESS_AFTER  # type: ignore[attr-defined]
         raise
     finally:
-        player.cradle.hits.stop()
+        player.hits.stop()
         player.copy.close()

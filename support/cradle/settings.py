@@ -1,16 +1,33 @@
 """What main makes a cradle from, and what replaces parts of it."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from support.cradle.collision import Collision
-from support.files.cradle_csv import Snapshot
+from support.files.valid_cradle import CradleCsv
 
 
 class Settings(NamedTuple):
     """The CSV of a cradle, and the settings that replace parts of it. None is as main makes it."""
 
-    csv: Snapshot
+    csv: CradleCsv
     angles: list[float | None]  # of the release (rad)
     lifted: int | None  # bobs
     collision: Collision
     mass: float | None  # kg, of all pendula
+    # Of each pendulum's cords, from straight down (rad), in place of angles and lifted
+    poses: list[list[float]] | None = None
+
+
+class NextCradle:
+    """The settings of the cradle that the loop makes next, and whether it must make it now."""
+
+    def __init__(self, settings: Settings, separating: bool):
+        """Let the loop make a cradle with these settings, as soon as it begins."""
+        self.settings = settings
+        self.separating = separating  # whether separating bobs collide, too
+        self.is_wanted = True
+
+    def want(self, **changed: Any) -> None:
+        """Let the loop end, and make a new cradle, maybe with changed settings."""
+        self.settings = self.settings._replace(**changed)
+        self.is_wanted = True

@@ -12,15 +12,13 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from decimal import Decimal
 from functools import cached_property
 from math import isfinite
 from pathlib import Path
 from stat import S_ISREG
-from tempfile import TemporaryDirectory
 from typing import Any, NamedTuple
 
-from support.columns import CHECKED, to_number
+from support.columns import to_number
 from support.signs import MINUS, odd_sign
 
 LARGEST_FILE = 10_000_000  # bytes of a file
@@ -219,32 +217,3 @@ class LiveFile:
             return False
         self.current = found
         return True
-
-
-@contextmanager
-def clean_copy(snapshot: Snapshot) -> Iterator[str]:
-    """Yield the path of a file with the rows of the Snapshot, for the body of the with statement.
-
-    The handout's functions read this copy: a plain pd.read_csv takes a space for a part of a cell,
-    and another program can write the file at any time. Raises the same ValueErrors as rows.
-    """
-    header, *pendula = snapshot.rows
-    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        copy = Path(folder) / Path(snapshot.filepath).name
-        with naming(copy), open(copy, "w", encoding="utf-8", newline="") as file:
-            writer = csv.writer(file)
-            writer.writerow(header.cells)
-            for row in pendula:
-                writer.writerow(map(for_pandas, header.cells, row.cells))
-        yield str(copy)
-
-
-def for_pandas(column: str, text: str) -> str:
-    """Return the text of a cell, a long number in short.
-
-    pandas 2 reads 17 digits, and counts zeros before them.
-    """
-    is_number = column in CHECKED and isfinite(to_number(text))
-    if is_number and len(text) > 15:
-        return f"{Decimal(repr(to_number(text))):e}"
-    return text

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from support.columns import CHECKED, COLUMNS, SETTABLE, to_number
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import are_in_range, IN_RANGE, MOST_PENDULA
+from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE, MOST_PENDULA
 from support.signs import found
 
 EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
@@ -33,7 +33,7 @@ class Answer(NamedTuple):
 class Experiment(NamedTuple):
     key: str  # the name of its file
     file: Path
-    csv: Snapshot
+    csv: CradleCsv
     name: str
     question: str  # without it, there are no answers, and no why
     answers: list[Answer]
@@ -78,7 +78,7 @@ def read_experiment(file: Path, cords: int) -> Experiment:
     if cords == 2 and not are_in_range(columns["mass"]):
         raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
     name = lines.text("name", lambda text: text != YOUR_CSV, f"a text, but not {YOUR_CSV!r}")
-    csv = Snapshot(file.with_suffix(".csv"), csv_of(columns))  # there is no such file
+    csv = csv_of(file.with_suffix(".csv"), columns)  # there is no such file
     experiment = Experiment(file.stem, file, csv, name, "", [], 0, "", poses)
     if lines.texts.keys() <= {*CRADLE}:
         return experiment
@@ -103,7 +103,7 @@ def experiment_text(name: str, columns: Mapping[str, Sequence[float]]) -> str:
     return "".join(lines)
 
 
-def csv_of(columns: dict[str, list[float]]) -> bytes:
+def csv_of(filepath: Path, columns: dict[str, list[float]]) -> CradleCsv:
     """Return the CSV of a cradle with these numbers, a list for each of SETTABLE."""
     count = len(columns["mass"])
     table: dict[str, list] = {}
@@ -111,8 +111,8 @@ def csv_of(columns: dict[str, list[float]]) -> bytes:
         table[column.name] = [column.default] * count
     table |= columns
     table["color"] = list(islice(cycle(COLORS), count))
-    rows = [tuple(table), *zip(*table.values(), strict=True)]
-    return "".join(",".join(map(str, row)) + "\n" for row in rows).encode()
+    pendula = [[*map(str, row)] for row in zip(*table.values(), strict=True)]
+    return CradleCsv(filepath, [*table], pendula)
 
 
 class ExperimentText:

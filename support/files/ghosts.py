@@ -39,7 +39,6 @@ class Ghosts:
         """Begin without angles; name is that of the file, keys are a pendulum's of its angles."""
         self.name = name
         self.keys = keys
-        self.mistake = ""  # in a later file, which is not taken
         self.angle: float | None = None  # rad: of the release, if the file says it
         # The times (s) after the release and the angles (rad), by theta_1, ...
         self.tracks: dict[str, tuple] = {}

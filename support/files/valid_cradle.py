@@ -1,9 +1,16 @@
-"""What the CSV of a cradle must have."""
+"""What the CSV of a cradle must have; the checked CSV, and a copy of it for pandas."""
 
-from collections.abc import Iterable
+import csv
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from decimal import Decimal
+from math import isfinite
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import NamedTuple
 
 from support.columns import CHECKED, to_number
-from support.files.cradle_csv import CsvRow, SEPARATOR, Snapshot
+from support.files.cradle_csv import CsvRow, naming, SEPARATOR, Snapshot
 from support.signs import found, in_short, odd_sign
 
 MOST_PENDULA = 1000  # of a cradle
@@ -15,12 +22,20 @@ MOST_TIMES = 1e6
 IN_RANGE = "at most 1e6 times the smallest mass, in a double cradle"
 
 
-def require_cradle(snapshot: Snapshot, cords: int = 1) -> None:
-    """Raise a ValueError for the first mistake in the CSV of a cradle.
+class CradleCsv(NamedTuple):
+    """The CSV of a cradle, parsed and checked: all that comes later takes its cells from here."""
 
-    It names the file, the line, the column, the value found and the allowed values. cords is the
-    number of cords of a pendulum: 1, or 2 for the double cradle, which needs masses in the range of
-    MOST_TIMES, too.
+    filepath: str | Path
+    columns: list[str]  # their names
+    pendula: list[list[str]]  # the cells of each row, one for each column
+
+
+def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
+    """Return the checked CSV of a cradle.
+
+    cords is the number of cords of a pendulum: 1, or 2 for the double cradle, which needs masses in
+    the range of MOST_TIMES, too. Raises a ValueError for the first mistake. It names the file, the
+    line, the column, the value found and the allowed values.
     """
     rows = snapshot.each_row()  # one by one: those of 10 MB would take a gigabyte of memory
     header = next(rows)
@@ -41,6 +56,9 @@ def require_cradle(snapshot: Snapshot, cords: int = 1) -> None:
         )
     if cords == 2:
         require_masses_in_range(snapshot, header, pendula)
+    width = len(header.cells)
+    filled = [[*row.cells, *[""] * (width - len(row.cells))] for row in pendula]  # last cells
+    return CradleCsv(snapshot.filepath, header.cells, filled)
 
 
 def require_columns(place: str, names: list[str]) -> None:
@@ -92,3 +110,31 @@ def require_masses_in_range(snapshot: Snapshot, header: CsvRow, pendula: list[Cs
 def are_in_range(masses: Iterable[float]) -> bool:
     """Return whether the masses of a double cradle are at most MOST_TIMES the smallest one."""
     return max(masses) <= MOST_TIMES * min(masses)
+
+
+@contextmanager
+def clean_copy(cradle: CradleCsv) -> Iterator[str]:
+    """Yield the path of a file with this CSV, for the body of the with statement.
+
+    The handout's functions read this copy: a plain pd.read_csv takes a space for a part of a cell,
+    and another program can write the file at any time.
+    """
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+        copy = Path(folder) / Path(cradle.filepath).name
+        with naming(copy), open(copy, "w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file)
+            writer.writerow(cradle.columns)
+            for cells in cradle.pendula:
+                writer.writerow(map(for_pandas, cradle.columns, cells))
+        yield str(copy)
+
+
+def for_pandas(column: str, text: str) -> str:
+    """Return the text of a cell, a long number in short.
+
+    pandas 2 reads 17 digits, and counts zeros before them.
+    """
+    is_number = column in CHECKED and isfinite(to_number(text))
+    if is_number and len(text) > 15:
+        return f"{Decimal(repr(to_number(text))):e}"
+    return text

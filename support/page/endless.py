@@ -2,55 +2,73 @@
 
 import sys
 import threading
+import time
+from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
+from typing import Any
 
-from support.cradle.player import Player
-from support.page.tabs import LOOK_AT_TABS
 from support.start.mistake import is_handout_file, is_player_file
 
+LOOK = 0.5  # s from look to look
 TOO_LONG = 3.0  # s after which a function that has not returned is named
 
 
 class Watch:
-    """Watches the loop of a player from another thread."""
+    """Watches a loop from another thread."""
 
-    def __init__(self, player: Player):
-        """Watch this player, whose loop is in this thread."""
-        self.player = player
+    def __init__(self, progress: Callable[[], Any], tell: Callable[[str], object]):
+        """Watch the loop in this thread.
+
+        progress() returns what changes with each tick and each frame. tell gets a sentence about
+        the function that does not return, and an empty one when it has.
+        """
+        self.progress = progress
+        self.tell = tell
         self.thread = threading.get_ident()
-        self.progress = (-1, 0.0)  # what changes with each tick and each frame
+        self.last = progress()
         self.looks = 0  # since this has changed last
         # Of the handout's functions that have not returned since then, the innermost one first
-        self.frames: list = []
+        self.frames: list[FrameType] = []
         self.words = ""
 
-    def look(self) -> str:
-        """Return which function has not returned for TOO_LONG seconds, or nothing.
+    def start(self) -> None:
+        """Look again and again, in a thread of its own, until the program ends."""
+        threading.Thread(target=self.keep_looking, daemon=True).start()
 
-        Call it each LOOK_AT_TABS seconds.
+    def keep_looking(self) -> None:
+        while True:
+            time.sleep(LOOK)
+            self.look()
+
+    def look(self) -> None:
+        """Tell which function has not returned for TOO_LONG seconds, or that it has.
 
         It counts looks, not time: a process that was stopped, or a laptop that slept, has not run.
         """
-        progress = self.player.motion.ticks, self.player.pace.frame_start
+        progress = self.progress()
         frames = running(self.thread)
-        if progress != self.progress:
-            self.progress = progress
+        if progress != self.last:
+            self.last = progress
             self.looks = 0
             self.frames = frames
-            self.words = ""
-            return ""
+            self.say("")
+            return
         self.looks += 1
         self.frames = [frame for frame in self.frames if frame in frames]
-        if self.looks * LOOK_AT_TABS == TOO_LONG and self.frames:
+        if self.looks * LOOK == TOO_LONG and self.frames:
             innermost = self.frames[0]
             name = Path(innermost.f_code.co_filename).name
             place = f"{innermost.f_code.co_name} in src/{name}, line {innermost.f_lineno}"
-            self.words = (
+            self.say(
                 f"{place}, has been running for {TOO_LONG:.0f} s and has not returned. If a loop "
                 "in it never ends, press Ctrl+C in the terminal, and mend it."
             )
-        return self.words
+
+    def say(self, words: str) -> None:
+        if words != self.words:
+            self.words = words
+            self.tell(words)
 
 
 def running(thread: int) -> list[FrameType]:

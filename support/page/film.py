@@ -9,10 +9,9 @@ import time
 from collections import deque
 from collections.abc import Callable
 from math import inf
-from typing import NamedTuple, TYPE_CHECKING
+from typing import NamedTuple
 
-if TYPE_CHECKING:
-    from support.page.tabs import Changes
+from support.page.changes import Changes
 
 PICTURE = 0.03  # s from picture to picture, at least
 WHOLE = 5.0  # s from one whole picture to the next one, at least
@@ -45,7 +44,7 @@ class Film:
         self.time = 0.0  # s of the film, up to this picture
         self.last_whole = -inf  # s of the film
 
-    def take(self, changes: "Changes", at_once: bool = False) -> None:
+    def take(self, changes: Changes, at_once: bool = False) -> None:
         """Take a picture if it is due, or at once, of what is later than the last one."""
         now = self.clock()
         gap = now - self.last_look

@@ -3,6 +3,7 @@
 import sys
 from math import inf
 
+from support.cradle.cradle import Cradle
 from support.cradle.player import run
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
@@ -10,7 +11,7 @@ from support.main_page import Loop
 from support.page.film import Film
 from support.page.run_file import run_as_html
 from support.page.tabs import Tabs
-from support.page.viewer import Viewer
+from support.page.viewer import Start, Viewer
 from support.start.early import stop_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, say
@@ -23,9 +24,11 @@ class NoTabs(Tabs):
     """
 
     def __init__(self) -> None:
-        super().__init__()
         self.now = 0.0  # s
-        self.film = Film(self.time, kept=inf)
+        super().__init__(
+            in_server=lambda function, *arguments: function(*arguments),
+            film=Film(self.time, kept=inf),
+        )
         self.is_seen.set()
 
     def time(self) -> float:
@@ -41,13 +44,12 @@ class NoTabs(Tabs):
 class FilmRecorder(Viewer):
     """Plays the first seconds of a cradle, as fast as the machine can."""
 
-    tabs: NoTabs
-
-    def prepare(self, seconds: float, progress: Progress) -> None:
-        """Get ready to play `seconds` (s), and to call progress(done), 0 to 1, again and again."""
-        self.pace = RealTime(self.cradle.dt, self.tabs.time, self.tabs.sleep)
-        self.last = max(1, round(seconds / self.cradle.dt))  # tick
-        self.progress = progress
+    def __init__(self, cradle: Cradle, start: Start, seconds: float, progress: Progress) -> None:
+        """Play `seconds` (s), and call progress(done), 0 to 1, again and again."""
+        tabs = NoTabs()
+        super().__init__(cradle, start, tabs, RealTime(cradle.dt, tabs.time, tabs.sleep))
+        self.last = max(1, round(seconds / cradle.dt))  # tick
+        self.report_progress = progress
         self.questions.ask_first = True
         self.marks.has_arrows = True
 
@@ -60,13 +62,13 @@ class FilmRecorder(Viewer):
         done = self.motion.ticks / self.last
         self.is_over = done == 1
         if done:
-            self.progress(done)
+            self.report_progress(done)
 
     def keep_time(self, most: float = inf) -> None:
         super().keep_time(min(most, self.last - self.motion.ticks))
 
 
-def write_run(loop: Loop, recorder: FilmRecorder, seconds: float, filepath: str) -> None:
+def write_run(loop: Loop, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
     """Write the first seconds (s) of a loop to this HTML file.
 
     If a function makes a mistake, the run ends with it, and the exit status is 1; so it is, without
@@ -76,13 +78,13 @@ def write_run(loop: Loop, recorder: FilmRecorder, seconds: float, filepath: str)
     status = 0
     try:
         with whole_file(filepath) as html, progress_bar() as progress:
-            recorder.prepare(seconds, progress)
+            recorder = FilmRecorder(cradle, start, seconds, progress)
             try:
                 run(loop, recorder)
             except (Exception, SystemExit) as error:
                 recorder.tabs.show({"ended": report_mistake(error)})
                 status = 1
-            html.write(run_as_html(recorder.tabs))
+            html.write(run_as_html(recorder.tabs.pictures()).decode())
     except KeyboardInterrupt as stopped:
         report_endless_loop(stopped)
         complain(f"The run ended too early. {filepath} is not written.")

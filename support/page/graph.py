@@ -98,6 +98,10 @@ class Graph:
         """Show this one of the choices, or the energies if the present cradle does not have it."""
         self.chosen = name if name in self.choices else ENERGY
 
+    def show_span(self, span: str) -> None:
+        """Show this time (a key of SPANS)."""
+        self.span = span
+
     def state(self, start_energy: float) -> dict[str, Any]:
         """Return the axes, the curves, and the rows with their names; start_energy (J) is 100 %.
 

@@ -1,12 +1,13 @@
 """The question of an experiment: asked before the release, if you want it; and what happened."""
 
 from math import pi, radians, sin, sqrt
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from support.constants import G
 from support.cradle.motion import Motion
 from support.cradle.prediction import Measurement
 from support.files.experiments import Experiment
+from support.page.names import State
 
 LETTERS = "ABCDE"  # of the answers
 REST = 3.0  # s that the picture rests when an experiment has been measured
@@ -150,7 +151,11 @@ class Questions:
         answer = measurement.experiment.answers[self.reply]
         return {index: [part * radians(swing)] for index, swing in enumerate(answer.swings)}
 
-    def state(self) -> dict | None:
+    def state(self) -> State:
+        """Return what the page must know of the question, and of your last command about it."""
+        return {"question": self.question(), "word": self.word}
+
+    def question(self) -> dict[str, Any] | None:
         """Return the question, the reply, and what happened; None without a question."""
         if self.measurement is None:
             return None

@@ -17,7 +17,6 @@ from typing import Any
 from support.files.data_file import RUN_LINE
 from support.files.experiments import YOUR_CSV
 from support.page.film import FilmPicture
-from support.page.tabs import Tabs
 from support.page.web_files import content_of, keyless_files, PAGE
 
 # Of the state; the rest is for controls, or names files of this machine.
@@ -31,10 +30,9 @@ TEXTURE = re.compile(r'":(\w+\.jpg)"')  # a texture's name, as VPython has it
 QUOTED_PATH = re.compile(r"'[^']*[/\\]([^'/\\]+)'")  # in a message of Python's
 
 
-def run_as_html(tabs: Tabs) -> str:
-    """Return the run that these tabs have shown last as the text of an HTML file."""
-    tabs.film.take(tabs.all, at_once=True)
-    run = json.dumps(pictures_for_player(tabs.film.pictures), separators=(",", ":"))
+def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
+    """Return a run as an HTML file, from the pictures of its film."""
+    run = json.dumps(pictures_for_player(pictures), separators=(",", ":"))
     web = keyless_files()
 
     def text_of(name: str) -> str:
@@ -60,11 +58,12 @@ def run_as_html(tabs: Tabs) -> str:
         lambda found: f"<style>\n{text_of(found[1])}</style>",
         html,
     )
-    return re.sub(
+    html = re.sub(
         r'<script( type="module")? src="(.*?)"></script>',
         lambda found: script(found[1] or "", text_of(found[2])),
         html,
     )
+    return html.encode()
 
 
 def filled_at_start(places: str) -> str:

@@ -15,7 +15,7 @@ from support.files.cradle_csv import LiveFile, Snapshot
 from support.files.data_file import is_run, require_replaceable
 from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
-from support.files.valid_cradle import require_cradle
+from support.files.valid_cradle import read_cradle
 from support.main_page import Loop
 from support.start.early import end_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
@@ -88,8 +88,8 @@ def show_page(
     server = None
     try:
         # Here, because later mistakes in the file appear only on the page.
-        require_cradle(file.current, len(angles))
-        require_lifted(options.lift, file.current)
+        csv = read_cradle(file.current, len(angles))
+        require_lifted(options.lift, csv)
         if options.ghosts is not None:
             ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
         if options.experiment is not None:
@@ -100,29 +100,22 @@ def show_page(
             require_replaceable("--html", options.html, is_run, "a run of a cradle")
     except ValueError as error:
         refuse(error)
-    from support.page.viewer import Viewer  # while the browser starts
+    from support.page.viewer import Start, Viewer  # while the browser starts
 
-    def prepare(viewer: Viewer) -> None:
-        if experiment:
-            viewer.chooser.add(experiment)
-            viewer.chooser.choose(experiment.name)
-        if ghosts:
-            viewer.actions.take_ghosts(ghosts, with_angle=options.angle is None)
-
+    start = Start(csv, file, angles, options.lift, remark, experiment, ghosts)
     if server:
-        viewer = Viewer(cradle, file, angles, options.lift, server.tabs, remark)
-        prepare(viewer)
-        play(loop, viewer, server)
+        play(loop, Viewer(cradle, start, server.tabs), server)
     else:
-        from support.page.film_recorder import FilmRecorder, NoTabs, write_run  # not for a page
+        from support.page.film_recorder import write_run  # not for a page
 
-        recorder = FilmRecorder(cradle, file, angles, options.lift, NoTabs(), remark)
-        prepare(recorder)
-        write_run(loop, recorder, options.seconds, options.html)
+        write_run(loop, cradle, start, options.seconds, options.html)
 
 
 def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
     """Run the loop until the last tab is closed; exit with status 1 if a function fails."""
+    from support.page.endless import Watch
+
+    Watch(viewer.progress, lambda words: server.tabs.tell({"endless": words})).start()
     try:
         run(loop, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
@@ -141,12 +134,12 @@ def open_page(options: Namespace, command: str) -> "Server":
     command starts this program again. Raises listen's ValueErrors.
     """
     # Not earlier: it needs packages that come with VPython.
+    from support.page.names import Texts
     from support.page.port import listen
     from support.page.server import Server
-    from support.page.tabs import Tabs
 
-    texts = {"command": command, "terminal": command_line("src/text_cradle_run.py")}
-    server = Server(listen(options.host, options.port), Tabs(), texts)
+    texts: Texts = {"command": command, "terminal": command_line("src/text_cradle_run.py")}
+    server = Server(listen(options.host, options.port), texts)
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
         say(

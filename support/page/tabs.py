@@ -1,122 +1,24 @@
-"""The tabs that show the cradle: what each one still has to get, and the commands that it gives.
+"""The tabs that show the cradle: how much is under way to each one, and the commands they give.
 
-VPython keeps a list of its changes, and forgets them when they are sent. Here, each change has the
-number of the delivery in which it came last, and each message the number of the last delivery in
-it. What a tab lacks is all with a later number than that of its last message. So a new tab, a slow
-one, and one whose line was cut are one case: it gets the last value of each attribute, less often
-maybe, and loses nothing.
-
-    to a tab    {"number": number, "cmds": [...], "attrs": [...], "state": {...}}
-    from a tab  "seen" for each picture that it has drawn after a message, or [command, value, ...]
-
-cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
-
-    cmds    {"cmd": kind, "idx": number, ...}   makes the object with this number
-            {"idx": number, name: value}        sets an attribute of the canvas
-    attrs   "a12Jvalue", "b12ovalue"            sets the attribute J or o of object 12
-            "m12Gvalue"                         calls the method G of object 12: clear_trail, ...
-
-state has what the page shows outside the canvas, by name (state.py): only what has changed.
+to a tab    messages of changes.py
+from a tab  "seen" for each picture that it has drawn after a message, or [command, value, ...]
 """
 
 import json
-import re
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
+from queue import SimpleQueue
 from threading import Event
 from typing import Any
 
-from vpython import baseObj, vector
+from support.page.changes import Changes
+from support.page.film import Film, FilmPicture
+from support.page.vpython_inside import take_changes
 
-from support.page.film import Film
-
-LOOK_AT_TABS = 0.5  # s from one look of the server at the tabs to the next
 # What can be under way to a tab: a far one needs several messages, a slow line not too many bytes.
 MOST_MESSAGES = 24  # messages
 MOST_BYTES = 2**18  # bytes
-
 NEW = object()  # unlike each value
-
-Changed = dict[Any, tuple[int, Any]]  # the number of the delivery and the change, by its key
-
-
-class Changes:
-    """All changes of VPython's and of the state, by what they change, the latest one last."""
-
-    def __init__(self) -> None:
-        """Begin with nothing."""
-        self.number = 0  # of the last delivery
-        self.drawing: Changed = {}  # cmds are dictionaries, attrs are texts
-        self.state: Changed = {}  # by the name of the value
-
-    def add(
-        self, state: Mapping[str, Any], cmds: Iterable[dict] = (), attrs: Iterable[str] = ()
-    ) -> None:
-        """Add a delivery, its changes last.
-
-        The order matters: one attribute can change another, as axis and size do.
-        """
-        self.number += 1
-        for cmd in cmds:
-            names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
-            self.put(self.drawing, (cmd["idx"], *names), cmd)
-        for text in attrs:
-            self.put(self.drawing, attribute_in(text), text)
-        for name, value in state.items():
-            self.put(self.state, name, value)
-
-    def put(self, changed: Changed, key: Any, change: Any) -> None:
-        """Put a change of this delivery last."""
-        changed.pop(key, None)
-        changed[key] = (self.number, change)
-
-    def message(self, has: int) -> bytes:
-        """Return all that is later than the delivery with the number `has` as one message."""
-        drawing = later(self.drawing, has)
-        for key in [*drawing]:
-            # A shape is made with its last texture: glow.min.js mixes up two that it loads.
-            is_texture = isinstance(key, tuple) and key[1] == "texture"
-            maker = (key[0], "cmd")
-            if is_texture and maker in drawing:
-                drawing[maker] = drawing[maker] | drawing.pop(key)
-        message = {
-            "number": self.number,
-            "cmds": [change for change in drawing.values() if isinstance(change, dict)],
-            "attrs": [change for change in drawing.values() if isinstance(change, str)],
-            "state": later(self.state, has),
-        }
-        # A student's number can be numpy's.
-        return json.dumps(message, separators=(",", ":"), default=float).encode()
-
-
-def attribute_in(text: str) -> str:
-    """Return which attribute an attr of VPython sets; a call of a method stands for itself."""
-    found = re.match(r"[^m]\d+.", text)
-    return found[0] if found else text
-
-
-def later(changed: Changed, has: int) -> dict[Any, Any]:
-    """Return the changes that are later than the delivery with the number `has`, in their order."""
-    found = []
-    for key, (number, change) in reversed(changed.items()):
-        if number <= has:
-            break
-        found.append((key, change))
-    return dict(reversed(found))
-
-
-def vpython_changes() -> dict[str, list]:
-    """Return what VPython would send now, its cmds and attrs; it then forgets them."""
-    baseObj.handle_attach()
-    updates = baseObj.updates
-    attributes = baseObj.attrs
-    baseObj.initialize()
-    for number, name in attributes:
-        value = getattr(baseObj.object_registry[number], name)
-        if isinstance(value, vector):
-            value = [value.x, value.y, value.z]
-        updates["attrs"].setdefault(number, {})[name] = value
-    return baseObj.package(updates)
 
 
 class Tab:
@@ -153,25 +55,21 @@ class Tab:
 class Tabs:
     """All tabs.
 
-    The program calls have_room, show and begin_run, and looks at is_seen and are_gone; the server
-    calls the other methods, in its own thread.
+    The program calls have_room, show, tell and begin_run, takes the commands, and looks at is_seen
+    and are_gone; the server calls the other methods, in its own thread.
     """
 
-    def __init__(self) -> None:
-        """Begin without a tab."""
+    def __init__(self, in_server: Callable[..., Any], film: Film | None = None) -> None:
+        """Begin without a tab; in_server calls a function with arguments in the server's thread."""
+        self.in_server = in_server
+        self.film = film or Film()  # of the present run
         self.all = Changes()  # VPython never sends a change again
-        self.film = Film()  # of the present run
         self.tabs: dict[Any, Tab] = {}  # by the websocket
         self.last: dict[str, Any] = {}  # the state that the tabs have, or will have
+        self.commands: SimpleQueue[list] = SimpleQueue()  # [command, value, ...]
         self.holder: Any = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether the last tab was closed for good
-        # The viewer sets these two: what takes a command of a tab, and what returns a message
-        # about a function that does not return.
-        self.give: Callable[..., None] = lambda command, *values: None
-        self.endless: Callable[[], str] = lambda: ""
-        # The server sets this: what calls a function in its thread.
-        self.in_server: Callable[..., Any] = lambda function, *arguments: function(*arguments)
 
     def have_room(self) -> bool:
         """Return whether a tab can take a message now; else, changes had better wait, and merge."""
@@ -184,9 +82,13 @@ class Tabs:
         """
         new = {name: value for name, value in state.items() if self.last.get(name, NEW) != value}
         self.last.update(new)
-        drawing = vpython_changes()
+        drawing = take_changes()
         if new or drawing:
             self.in_server(self.deliver, new, drawing)
+
+    def tell(self, state: Mapping[str, Any]) -> None:
+        """Send these values from any thread, also while no picture can be shown."""
+        self.in_server(self.deliver, state, {})
 
     def deliver(self, state: Mapping[str, Any], drawing: Mapping[str, list]) -> None:
         """Give changes to all tabs, also to those that come later.
@@ -199,19 +101,14 @@ class Tabs:
             tab.update(self.all, at_once=has_ended)
         self.film.take(self.all, at_once=has_ended)
 
+    def pictures(self) -> list[FilmPicture]:
+        """Return the film of the present run, up to now."""
+        self.film.take(self.all, at_once=True)
+        return [*self.film.pictures]
+
     def begin_run(self) -> None:
         """Begin a film with what is shown next, a new run."""
         self.in_server(self.film.begin)
-
-    def look(self) -> None:
-        """Tell the tabs of a function that does not return, and when it has.
-
-        The server calls it each LOOK_AT_TABS seconds.
-        """
-        message = self.endless()
-        if message != self.last.get("endless", ""):
-            self.last["endless"] = message
-            self.deliver({"endless": message}, {})
 
     def open(self, socket: Any, send: Callable[[bytes], None], has: int = 0) -> None:
         """Let a tab have all that is later than the delivery with the number `has`.
@@ -244,4 +141,4 @@ class Tabs:
             if self.holder is not socket and not is_free:
                 return  # one tab alone has the mouse down
             self.holder = None if command == "let_go" else socket
-        self.give(command, *values)
+        self.commands.put([command, *values])

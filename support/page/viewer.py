@@ -1,88 +1,121 @@
-"""The viewer: plays a cradle in step with the clock, and carries out the commands of the page."""
+"""The viewer: plays a cradle in step with the clock, and gives each part of the page its work."""
 
 from collections.abc import Sequence
-from math import inf
-from queue import SimpleQueue
-from typing import Any
+from typing import Any, NamedTuple
 
 from support.cradle.cradle import Cradle
 from support.cradle.player import Player
-from support.cradle.real_time import FRAME
+from support.cradle.real_time import FRAME, RealTime
 from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.data_file import EVERY
+from support.files.experiments import Experiment
 from support.files.ghosts import Ghosts
-from support.page import readout
-from support.page.actions import Actions, SLOWLY
+from support.files.valid_cradle import CradleCsv
+from support.page import declarations
+from support.page.bars import Bars
 from support.page.chooser import Chooser
-from support.page.controls import commands_of, is_text
-from support.page.declarations import declare_commands, declare_controls
-from support.page.endless import Watch
+from support.page.controls import Command, commands_of, is_text, state_of
+from support.page.cradle_settings import CradleSettings
+from support.page.ghost_file import GhostFile
 from support.page.graph import Graph
+from support.page.lesson import Lesson
+from support.page.names import State
+from support.page.one_tick import OneTick
+from support.page.playback import Playback
 from support.page.questions import Questions
-from support.page.scene.marks import Label, Marks
+from support.page.readout import constants, Readout
+from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
-from support.page.state import state_of_page
+from support.page.setup import Setup
+from support.page.sound import Sound
 from support.page.tabs import Tabs
-from support.pendulum import Pendulum
 
 REFRESH = 0.1  # s between two changes of the state
-# m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick.
-SLOWEST_SOUND = 0.01
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
-FAINTEST = 0.3  # of the arrows of a slow hit
 IMPACTS = 5  # series of hits, a line for each
 
 
+class Start(NamedTuple):
+    """What the options of a program say."""
+
+    csv: CradleCsv
+    file: LiveFile  # in which this CSV is
+    angles: Sequence[float | None]  # rad: of the release; None keeps that of main
+    lifted: int | None  # bobs
+    remark: str = ""  # a line on the page
+    experiment: Experiment | None = None  # of your own, to begin with
+    ghosts: Ghosts | None = None  # of a file; their angle counts if angles say none
+
+
 class Viewer(Player):
-    """The page with a cradle, its panel and its graph: the argument page of main."""
+    """The page with a cradle, its panel and its graph: the argument page of main.
+
+    It makes the parts, and hands each one what it uses: no part knows the viewer.
+    """
 
     def __init__(
         self,
         cradle: Cradle,
-        file: LiveFile,
-        angles: Sequence[float | None],
-        lifted: int | None,
+        start: Start,
         tabs: Tabs,
-        remark: str = "",
+        pace: RealTime | None = None,
     ):
-        """Play the cradle of this file as a Player does; tabs show it."""
-        super().__init__(cradle, file.current, angles, lifted, IMPACTS, EVERY)
-        self.file = file
+        """Play the cradle as a Player does, in this pace; tabs show it."""
+        super().__init__(cradle, start.csv, start.angles, start.lifted, IMPACTS, EVERY, pace)
         self.tabs = tabs
-        self.given_remark = remark
-        self.is_paused = False
-        self.is_dragged = False  # whether you have moved a bob since the start
-        self.speed = 1.0  # that you have set, times real time
+        self.given_remark = start.remark
         # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
         self.next_refresh = 0.0
-        # The coordinates before One tick, while it is carried out.
-        self.before: dict[str, float] | None = None
-        self.error = ""  # the mistake in your CSV
-        # (command, values) of tabs, for the next frame; any thread can put one into it.
-        self.commands: SimpleQueue[tuple[Any, Sequence]] = SimpleQueue()
-        self.tick_lines: list[str] = []  # what One tick has done
-        self.sounds = 0  # the number of pictures with a hit to hear
-        self.loudest = 0.0  # m/s: the fastest hit of the last one of them
 
-        self.chooser = Chooser(self)
+        # Which cradle
+        self.chooser = Chooser(cradle, self.next, start.file, start.experiment)
+        self.cradle_settings = CradleSettings(cradle, self.next, self.chooser)
+        self.ghost_file = GhostFile(cradle.angle_keys, self.cradle_settings)
+        if start.ghosts:
+            self.ghost_file.take(start.ghosts, with_angle=start.angles[0] is None)
+        # Its motion
         self.questions = Questions()
+        self.slow_hits = SlowHits(cradle)
+        self.one_tick = OneTick(cradle, self.hits)
+        self.playback = Playback(
+            cradle, self.pace, self.questions, self.slow_hits, self.one_tick, self.plan
+        )
+        self.lesson = Lesson(self.chooser, self.questions, self.playback)
+        self.stopwatch = Stopwatch()
+        # What shows it
         self.scenery = Scenery()
         self.marks = Marks()
-        self.ghosts = Ghosts()
-        self.stopwatch = Stopwatch()
-        # The time (s) of the last hits, and the momenta (kg m/s) after them.
-        self.last_hits = -inf
-        self.after_hits: list[float] = []
-        self.slow_hits = SlowHits(cradle)
         self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
-
-        self.actions = Actions(self)
-        self.controls = declare_controls(self)
-        self.known_commands = {**commands_of(self.controls), **declare_commands(self.actions)}
-        tabs.give = lambda command, *values: self.commands.put((command, values))
-        tabs.endless = Watch(self).look
+        self.readout = Readout(
+            self.motion, self.pace, self.slow_hits, self.marks, self.stopwatch, self.ghost_file
+        )
+        self.bars = Bars(self.motion, self.marks, self.slow_hits, self.questions)
+        self.sound = Sound(self.motion)
+        self.setup = Setup(self.chooser, self.motion, self.held_bob)
+        # What you can do
+        view_controls = declarations.view_controls(
+            self.lesson, self.questions, self.playback, self.marks, self.slow_hits, self.graph
+        )
+        self.controls = [
+            declarations.experiment_menu(self.chooser, self.lesson),
+            *declarations.cradle_controls(cradle, self.cradle_settings),
+            *view_controls,
+        ]
+        self.at_first = [(control, control.get()) for control in view_controls]
+        commands = declarations.commands(
+            self.playback,
+            self.lesson,
+            self.questions,
+            self.cradle_settings,
+            self.ghost_file,
+            self.held_bob,
+            self.let_go,
+            self.reset,
+        )
+        self.commands: dict[Any, Command] = {**commands_of(self.controls)}
+        self.commands.update(commands)  # type: ignore[arg-type]
 
     # --- frames --------------------------------------------------------------------------------
 
@@ -90,129 +123,122 @@ class Viewer(Player):
         """Do the work of one frame: show the last ticks, rest, obey, and plan the next ticks."""
         self.show_frame()
         self.pace.rest()
-        while not (self.commands.empty() or self.needs_cradle or self.planned):
-            self.carry_out(*self.commands.get())
-        if not self.needs_cradle and self.file.changed():
-            self.actions.reload()
-        self.look_longer()
+        while not (self.tabs.commands.empty() or self.next.is_wanted or self.planned):
+            self.carry_out(*self.tabs.commands.get())
+        if not self.next.is_wanted:
+            self.chooser.look_at_file()
+            self.leave_moved_cradle()
+        if self.chooser.is_changed:
+            self.questions.end()
+        self.playback.look_longer()
         if self.tabs.are_gone:
             self.is_over = True
             self.planned = 0
-        elif self.is_resting() or not self.is_time_running():
+        elif self.playback.is_resting() or not self.playback.is_running():
             self.pace.restart()
-        elif not (self.needs_cradle or self.planned):
-            self.pace.speed = self.speed_now()
+        elif not (self.next.is_wanted or self.planned):
+            self.pace.speed = self.playback.speed_now()
             self.keep_time()
 
-    def carry_out(self, name: Any, values: Sequence) -> None:
+    def carry_out(self, name: Any, *values: Any) -> None:
         """Do what a command says; do nothing if there is none, or if it takes no such values."""
-        command = self.known_commands.get(name) if is_text(name) else None
+        command = self.commands.get(name) if is_text(name) else None
         if command and command.takes(values):
             command.do(*values)
             self.next_refresh = 0.0
 
-    def is_time_running(self) -> bool:
-        """Return whether the cradle is not paused, and waits for no answer."""
-        return not (self.is_paused or self.questions.is_asking)
+    def leave_moved_cradle(self) -> None:
+        """Leave the experiment, and the slow hits, when you hold a bob: it moves in another way."""
+        if self.held_bob.index is not None:
+            self.chooser.leave_experiment()
+            self.slow_hits.clear()
 
-    def look_longer(self) -> None:
-        """Go on with what the time rests for: a measured experiment, then one slow hit by one."""
-        now = self.pace.clock()
-        self.questions.end_rest(now)
-        if self.questions.rest_end is None:
-            self.slow_hits.go_on(now, self.is_time_running())
-
-    def is_resting(self) -> bool:
-        """Return whether the time rests, so that you can look at something longer."""
-        return self.questions.rest_end is not None or self.slow_hits.current is not None
-
-    def speed_now(self) -> float:
-        """Return the speed of the present run, times real time."""
-        return SLOWLY if self.questions.slowly else self.speed
+    def progress(self) -> tuple[float, float]:
+        """Return what changes with each tick and each frame."""
+        return self.motion.ticks, self.pace.frame_start
 
     def show_frame(self) -> None:
         """Show the result of the last ticks.
 
         Ten times a second show all of it, else what must be in step with the bobs.
         """
-        if self.cradle.held_bob.index is not None:
-            self.show_held_bob()
+        if self.held_bob.index is not None:
+            self.motion.set_start()  # 100 % is the energy of this moment
+            if not self.playback.is_running():
+                self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view([*self.cradle.bobs(), *self.marks.ghosts])
-        if self.motion.loudest > SLOWEST_SOUND:
-            self.sounds += 1
-            self.loudest = round(self.motion.loudest, 4)
-        self.motion.loudest = 0.0
+        self.sound.look()
         if not self.tabs.have_room():
             return
-        labels = self.draw()
-        state = {
-            "sound": {"count": self.sounds, "speed": self.loudest},
+        state = self.state_in_step()
+        if self.pace.clock() >= self.next_refresh:
+            self.next_refresh = self.pace.clock() + REFRESH
+            state |= self.state()
+        self.tabs.show(state)
+
+    def state_in_step(self) -> State:
+        """Draw all but the pendula; return what a tab shows in the same picture."""
+        labels = self.marks.show(self.slow_hits, self.ghost_poses())
+        fade = self.slow_hits.fade(self.pace.clock(), self.playback.is_running())
+        return {
+            "sound": self.sound.state(),
             "view": {
-                **self.scenery.view(),
-                "fade": self.fade(),
+                **self.scenery.view(has_text_above=self.slow_hits.is_on),
+                "fade": fade,
                 "labels": [label._asdict() for label in labels],
             },
         }
-        if self.pace.clock() >= self.next_refresh:
-            self.next_refresh = self.pace.clock() + REFRESH
-            state |= state_of_page(self)
-        self.tabs.show(state)
 
-    def show_held_bob(self) -> None:
-        """Take the energy of this moment as 100 %, once the held bob is not where it would be."""
-        if self.is_time_running():
-            self.actions.begin_drag()
-        if self.actions.is_dragging:
-            self.motion.set_start()
-            if not self.is_time_running():
-                self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
-
-    def shown_pendula(self) -> list[Pendulum]:
-        """Return the pendula as they are shown: as after the slow hit, or as they are now."""
-        return self.slow_hits.current.pend_list if self.slow_hits.current else self.cradle.pend_list
-
-    def fade(self) -> float:
-        """Return how strong the arrows of a slow hit still are; 1 is full, as while paused."""
-        if self.slow_hits.current is None or not self.is_time_running():
-            return 1.0
-        return max(FAINTEST, self.slow_hits.part_left(self.pace.clock()))
-
-    def draw(self) -> list[Label]:
-        """Draw all but the pendula: as in the current slow hit, or as it is now.
-
-        Return the texts in the picture.
-        """
-        slow_hit = self.slow_hits.current
-        pend_list = self.shown_pendula()
-        self.marks.show_arrows(pend_list)
-        self.marks.show_belts()
-        self.marks.show_hit(slow_hit)
+    def ghost_poses(self) -> GhostPoses:
+        """Return where ghosts are now: those of your answer, or else those of a file."""
         time = self.motion.time()
-        poses = self.questions.predicted(time)
-        name = self.questions.ghost_name()
-        if not poses:
-            poses = self.ghosts.poses(time, len(pend_list))
-            name = self.ghosts.name
-        if slow_hit:  # else they cover its arrows
-            poses = {}
-        self.marks.show_ghosts(poses, name)
-        return self.marks.labels(pend_list)
+        predicted = self.questions.predicted(time)
+        if predicted:
+            return GhostPoses(predicted, self.questions.ghost_name())
+        ghosts = self.ghost_file.ghosts
+        return GhostPoses(ghosts.poses(time, len(self.cradle.pend_list)), ghosts.name)
+
+    def state(self) -> State:
+        """Return what the page shows outside VPython's canvas, all texts plain."""
+        remarks = [remark for remark in (self.given_remark, self.cradle.remark()) if remark]
+        state: State = {
+            "title": self.cradle.title,
+            "constants": constants(self.cradle),
+            "remark": " ".join(remarks),
+            "ended": None,
+            "hit": self.slow_hits.state(),
+            "motion": self.readout.lines(),
+            "summary": self.motion.summary(),
+            "bars": self.bars.chart(),
+            "impacts": self.motion.impacts.lines(),
+            "curves": self.graph.state(self.motion.start_energy),
+            "tick_lines": self.one_tick.lines,
+        }
+        for part in (
+            self.chooser,
+            self.cradle_settings,
+            self.setup,
+            self.ghost_file,
+            self.playback,
+            self.questions,
+        ):
+            state |= part.state()
+        return {**state, **state_of(self.controls)}  # type: ignore[typeddict-item]
+
+    # --- a cradle ------------------------------------------------------------------------------
 
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
         cradle = self.cradle
         self.tabs.begin_run()
-        self.actions.pose()
-        self.is_dragged = False
+        self.lesson.begin(self.motion)
         self.scenery.surround(
             cradle.axles(), cradle.bobs(), cradle.cords_length, cradle.values("mass")
         )
         self.graph.begin(cradle.colors())
-        self.last_hits = -inf
-        self.after_hits = []
+        self.bars.begin()
         self.begin_swing()
-        self.before = None
-        self.tick_lines = []
+        self.one_tick.clear()
         self.next_refresh = 0.0
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
             self.show_frame()
@@ -220,12 +246,18 @@ class Viewer(Player):
             self.next_refresh = 0.0
             self.pace.restart()
 
+    def let_go(self) -> None:
+        """Let the held bob, if there is one, swing on."""
+        if self.held_bob.let_go():
+            self.motion.set_start()
+            self.begin_swing()
+
     def begin_swing(self) -> None:
         """Measure from this moment on: bobs were let go."""
         self.slow_hits.clear()
         self.marks.surround(self.cradle)
         self.stopwatch.restart(self.motion.time())
-        self.ghosts.begin()
+        self.ghost_file.ghosts.begin()
         self.take_sample()
 
     def take_sample(self) -> None:
@@ -233,9 +265,10 @@ class Viewer(Player):
         sample = self.motion.sample()
         self.graph.add(sample)
         self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
-        if self.motion.last_fast > self.last_hits:
-            self.last_hits = self.motion.last_fast
-            self.after_hits = self.marks.momenta_of(self.cradle.pend_list)
+        self.bars.look()
+
+    def looks_at_hits(self) -> bool:
+        return self.slow_hits.is_on
 
     def longest_batch(self) -> int:
         """Return after how many ticks, at most, to look at the cradle.
@@ -254,15 +287,20 @@ class Viewer(Player):
         if (
             self.motion.ticks % self.step == 0
         ):  # not take_sample, which a drag calls again and again
-            self.ghosts.compare(self.cradle.pend_list, self.motion.time())
-        hits = self.cradle.hits
+            self.ghost_file.ghosts.compare(self.cradle.pend_list, self.motion.time())
         if self.questions.measure(self.pace.clock()):
             self.planned = 0
-        if self.looks_at_hits:
-            self.slow_hits.add(hits.noted, self.motion.time(), self.motion.fast_speed)
+        if self.slow_hits.is_on:
+            self.slow_hits.add(self.hits.noted, self.motion.time(), self.motion.fast_speed)
             if self.slow_hits.waiting:
                 self.planned = 0
-        if self.before is not None:
-            calls = hits.calls or [f"No call of {self.cradle.shown_name} was seen."]
-            self.tick_lines = [*readout.changes(self.cradle, self.before), *calls]
-            self.before = None
+        self.one_tick.end()
+
+    def reset(self) -> None:
+        """Begin again with your CSV, as the program has started."""
+        for control, value in self.at_first:
+            control.set(value)
+        self.ghost_file.remove()
+        self.next.separating = not self.cradle.takes_rule
+        self.playback.is_paused = False
+        self.chooser.choose_first()

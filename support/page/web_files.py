@@ -1,34 +1,25 @@
 """The files of the page: its own, and those of VPython that it uses."""
 
-from collections.abc import Mapping
 from html import escape
-from importlib.util import find_spec
 from pathlib import Path
 
-# Where glowcomm.html has its fonts and its own websocket behind it.
-VPYTHON_SCRIPT = "window.__GSlang ="
+from support.page.names import Texts
+from support.page.vpython_inside import files_for_a_browser
+
 WEB = Path(__file__).with_name("web")
 PAGE = WEB / "page.html"
 
 
 def keyless_files() -> dict[str, bytes | Path]:
     """Return the files that need no key, by name: the content or the path."""
-    [vpython] = find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
-    libraries = Path(vpython, "vpython_libraries")
-    files: dict[str, bytes | Path] = {}
-    for folder in (libraries, Path(vpython, "vpython_data"), WEB):
-        for path in folder.iterdir():
-            if path.suffix in (".js", ".css", ".jpg"):
-                files[path.name] = path
-    page = (libraries / "glowcomm.html").read_text(encoding="utf-8")
-    _, start, script = page.partition(VPYTHON_SCRIPT)
-    files["vpython.js"] = (start + script).partition("</script>")[0].encode()
-    # A call without a use, which some sites forbid.
-    files["glow.min.js"] = content_of(files["glow.min.js"]).replace(b'eval("0");', b"")
+    files = files_for_a_browser()
+    for path in WEB.iterdir():
+        if path.suffix in (".js", ".css"):
+            files[path.name] = path
     return files
 
 
-def page_with(texts: Mapping[str, str]) -> bytes:
+def page_with(texts: Texts) -> bytes:
     """Return the page with these texts, by their names in data-text.
 
     So the page has them also if it never hears from the program.
@@ -36,7 +27,7 @@ def page_with(texts: Mapping[str, str]) -> bytes:
     page = PAGE.read_text(encoding="utf-8")
     for name, text in texts.items():
         place = f'data-text="{name}">'
-        page = page.replace(place, place + escape(text))
+        page = page.replace(place, place + escape(str(text)))
     return page.encode()
 
 

@@ -1,4 +1,4 @@
-"""A program's first steps: signals that end it, imports that wait, VPython without its own page.
+"""A program's first steps: signals that end it, and imports that wait.
 
 A program begins here, so all that is imported here is fast.
 """
@@ -12,8 +12,7 @@ from importlib.machinery import ModuleSpec, PathFinder
 from types import ModuleType
 from typing import Any, NoReturn
 
-from support.start.checks_command import ROOT
-from support.waits import heard, SRC
+from support.waits import SRC
 
 
 def is_in_session() -> bool:
@@ -128,34 +127,3 @@ def import_now(name: str) -> None:
     if isinstance(sys.modules.get(name), DeferredModule):
         del sys.modules[name]
         import_module(name)
-
-
-def draw_without_its_page() -> None:
-    """Let VPython make objects for our page.
-
-    Its own page, and a server for it, would come with the first object. An object that needs an
-    answer of VPython's page, or a place on it, raises a RuntimeError: VPython would wait for ever.
-    rate and sleep do not wait, and are noted: the program keeps the time.
-
-    Raises a ModuleNotFoundError for another version: the page uses private names.
-    """
-    vpython = import_module("vpython.vpython")
-    requirements = (ROOT / "support" / "requirements.txt").read_text(encoding="utf-8")
-    if f"vpython=={vpython.__version__}\n" not in requirements:
-        found = f"{vpython.__version__} in {vpython.__file__}"
-        raise ModuleNotFoundError(f"the page needs another VPython than {found}", name="vpython")
-    vpython.baseObj._view_constructed = True  # its own page is there: it believes so
-    # Nothing is on its way to that page: clone() would wait for it
-    vpython.baseObj.empty = lambda: True
-
-    def refuse(*_: object, **__: object) -> NoReturn:
-        raise RuntimeError(
-            "the page shows VPython's shapes, but no text, compound, extrusion, graph, button "
-            "or the like, and nothing can wait for a click"
-        )
-
-    for name in ("text", "compound", "extrusion", "graph", "gobj", "controls"):
-        getattr(vpython, name).__new__ = refuse
-    vpython._wait = refuse  # type: ignore[attr-defined]
-    for name in ("rate", "sleep"):
-        setattr(sys.modules["vpython"], name, heard(name))

@@ -16,8 +16,8 @@ from typing import Any, NamedTuple, NoReturn
 from support import constants
 from support.columns import CHECKED, to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.files.cradle_csv import Snapshot
 from support.files.data_file import EVERY
+from support.files.valid_cradle import CradleCsv
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.signs import found, in_plain_signs, odd_sign
 from support.start.checks_command import ROOT
@@ -278,12 +278,13 @@ def is_in_ticks(text: str) -> bool:
     return 0.5 < ticks <= 1e6 / DT and abs(ticks - round(ticks)) < 1e-6
 
 
-def require_lifted(lift: int | None, csv: Snapshot) -> None:
+def require_lifted(lift: int | None, csv: CradleCsv) -> None:
     """Raise a ValueError with a one-line message if the CSV has fewer than lift pendula."""
-    count = len(csv.rows) - 1  # without the header
+    count = len(csv.pendula)
     if lift is not None and lift > count:
         raise ValueError(
-            f"--lift: found '{lift}', allowed is at most {count}, the number of pendula in {csv}"
+            f"--lift: found '{lift}', allowed is at most {count}, "
+            f"the number of pendula in {csv.filepath}"
         )
 
 

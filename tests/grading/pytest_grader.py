@@ -36,7 +36,7 @@ from grading.screen import Line, report
 from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import whole_file
-from support.files.valid_cradle import require_cradle
+from support.files.valid_cradle import read_cradle
 from support.start.checks_command import checks_command
 
 GRADING = pytest.StashKey[Grading]()
@@ -188,7 +188,7 @@ def report_of_run(config: pytest.Config) -> list[Line]:
         return []
     advice = ""
     try:
-        require_cradle(Snapshot(NC_FP))
+        read_cradle(Snapshot(NC_FP))
     except ValueError as error:  # the checks have files of their own
         advice = f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", "")
     reporter = config.pluginmanager.get_plugin("terminalreporter")

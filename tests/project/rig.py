@@ -2,16 +2,17 @@
 
 import json
 from math import degrees
+from queue import SimpleQueue
 from threading import Event
 from types import SimpleNamespace
 
 from vpython import vector
-from whole_cradles import go_on, make_live, thetas
+from whole_cradles import checked, go_on, make_live, thetas
 
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
 from support.files.cradle_csv import LiveFile, POLL
-from support.page.viewer import Viewer
+from support.page.viewer import Start, Viewer
 
 
 class Rig:
@@ -28,25 +29,29 @@ class Rig:
             have_room=lambda: True,
             show=self.take,
             begin_run=lambda: None,
+            commands=SimpleQueue(),
             is_seen=Event(),
             are_gone=False,
         )
         self.tabs.is_seen.set()
         self.viewer = Viewer(
             make_live(kind),
-            LiveFile(csv, self.clock),
-            thetas(angles or [30]),
-            lifted,
+            Start(
+                checked(csv, kind.cord_count),
+                LiveFile(csv, self.clock),
+                thetas(angles or [30]),
+                lifted,
+                remark,
+            ),
             self.tabs,
-            remark,
+            RealTime(kind.dt, self.clock, sleep=lambda seconds: None),
         )
         self.cradle = self.viewer.cradle
-        self.viewer.pace = RealTime(self.cradle.dt, self.clock, sleep=lambda seconds: None)
         self.begin()
 
     def begin(self):
         """Let main make the cradle, as at the start."""
-        self.viewer.want_cradle()
+        self.viewer.next.want()
         go_on(self.viewer)
         self.wait()
 
@@ -63,7 +68,7 @@ class Rig:
             if seconds:
                 self.now += FRAME
             self.do_frame()
-            while not self.viewer.commands.empty():
+            while not self.tabs.commands.empty():
                 self.do_frame()
         self.viewer.next_refresh = 0
         self.viewer.show_frame()
@@ -97,8 +102,12 @@ class Rig:
 
     def give(self, command, *values):
         """Give a command as a tab does, and wait until it is carried out."""
-        self.tabs.give(command, *values)
+        self.tell(command, *values)
         self.wait()
+
+    def tell(self, command, *values):
+        """Give a command as a tab does, which the next frame carries out."""
+        self.tabs.commands.put([command, *values])
 
     def mouse(self, command, point, direction=(0, 0, -1)):
         """Give a command with the ray through this point in this direction."""

@@ -33,13 +33,13 @@ def test_collisions_can_be_changed_and_survive_a_reload(swing, kind):
     assert values(player, "mass") == [2.0] * 3
     es = []
     for collision in player.cradle.collisions:
-        player.change(collision=collision)
+        player.next.want(collision=collision)
         player.read(MIXED_CSV)
         es.append(values(player, "e"))
     assert es == [[0.9, 0.8, 0.7], [1, 1, 1], [0, 0, 0], [0.25, 0.25, 0.25]]
     player.read(FIVE_CSV)
     assert values(player, "e") == [0.25] * 5
-    player.change(collision=AS_MADE)
+    player.next.want(collision=AS_MADE)
     player.read(FIVE_CSV)
     assert values(player, "e") == [1.0] * 5
 
@@ -86,7 +86,7 @@ def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, ki
     assert len(reused) == 2 * len(first[0])
     for shape in shapes:
         assert shape.visible == any(shape is other for other in reused)
-    assert player.cradle.held_bob.index is None
+    assert player.held_bob.index is None
     player.read(FIVE_CSV)
     if kind is Cradle:
         assert values(player, "objects") == first
@@ -102,7 +102,7 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(
     """With e below 1, bobs keep touching if separating ones collide too."""
     player = swing(kind=kind, e=0.8)
     same = swing(kind=kind, e=0.8).cradle
-    player.separating = separating
+    player.next.separating = separating
     ticks = round(0.6 * PERIOD / kind.dt)
     player.swing(ticks)
     rule = {"approaching_only": not separating} if kind is Cradle else {}
@@ -182,19 +182,20 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
 
     Bobs that move apart hit with a speed below 0.
     """
-    cradle = swing(HEADER + GOOD * 3, lift=0).cradle
+    player = swing(HEADER + GOOD * 3, lift=0)
+    cradle = player.cradle
     for bob in cradle.bobs():
         bob.radius *= 1.01
     first, second, third = cradle.pend_list
     first["omega"] = 2.0
-    cradle.hits.listen()
+    player.hits.listen()
     collide = cradle.scope["handle_two_bobs"]
     collide(first, second, R_PARAM)
     collide(second, third, R_PARAM)
     collide(first, second, R_PARAM)  # these two are at rest
     collide(third, pend2=second, r_param=R_PARAM)  # in any order
-    cradle.hits.stop()
-    hits = cradle.hits.noted
+    player.hits.stop()
+    hits = player.hits.noted
     assert [(hit.left, hit.right) for hit in hits] == [(0, 1), (1, 2), (1, 2)]
     assert all(hit.rightwards for hit in hits)
     speeds = [hit.speed for hit in hits]

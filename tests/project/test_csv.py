@@ -16,9 +16,9 @@ from whole_cradles import GOOD, HEADER
 from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import extract_and_convert
 from support.constants import COLOR_MAP, TEXTURE_MAP
-from support.files.cradle_csv import clean_copy, Snapshot
-from support.files.valid_cradle import require_cradle
-from support.page.chooser import with_numbers
+from support.files.cradle_csv import Snapshot
+from support.files.valid_cradle import clean_copy, CradleCsv, read_cradle
+from support.page.cradle_settings import with_numbers
 
 MASS = "a number from 1e-300 to 1e6 (kg)"
 IN_CELL_5 = "is in cell 5 of 6"
@@ -87,7 +87,7 @@ def save(tmp_path):
 def refusal(filepath, cords=1):
     """Return the message with which a CSV is refused, after the name of the file."""
     with pytest.raises(ValueError, match=f"^{re.escape(filepath)}.*$") as caught:
-        require_cradle(Snapshot(filepath), cords)
+        read_cradle(Snapshot(filepath), cords)
     return str(caught.value).removeprefix(filepath)
 
 
@@ -129,15 +129,15 @@ def test_a_bad_cell_is_named_with_its_place_and_the_allowed_values(column, texts
 
 
 def test_the_smallest_and_the_largest_cradle_are_allowed(save):
-    require_cradle(Snapshot(save(HEADER + GOOD * 1000)))
+    read_cradle(Snapshot(save(HEADER + GOOD * 1000)))
     for column, text in [("e", "0"), ("e", "1"), ("mass", "1e-300"), ("mass", "1e6")]:
-        require_cradle(Snapshot(save(LINES[column].format(text))))
+        read_cradle(Snapshot(save(LINES[column].format(text))))
 
 
 def test_the_masses_of_a_double_cradle_may_differ_by_a_factor_of_a_million(save):
-    require_cradle(Snapshot(save(LINES["mass"].format("1e-6"))), cords=2)
+    read_cradle(Snapshot(save(LINES["mass"].format("1e-6"))), cords=2)
     file = save(LINES["mass"].format("9.9999995e-7"))
-    require_cradle(Snapshot(file))
+    read_cradle(Snapshot(file))
     message = refusal(file, cords=2)
     assert message.startswith(", line 2, column mass: found '1.0', and '9.9999995e-7' in line 3, ")
     assert "at most 1e6 times" in message
@@ -188,9 +188,9 @@ READABLE = {
 @pytest.mark.parametrize("content", READABLE.values(), ids=READABLE)
 def test_a_csv_is_read_however_a_program_has_written_it_and_also_when_it_is_gone(content, save):
     """A plain pd.read_csv reads its clean copy, whose path is a plain one."""
-    snapshot = Snapshot(save(content))
-    os.remove(snapshot.filepath)
-    with clean_copy(snapshot) as copy:
+    csv = read_cradle(Snapshot(save(content)))
+    os.remove(csv.filepath)
+    with clean_copy(csv) as copy:
         assert type(copy) is str
         assert Path(copy).name == "cradle.csv"
         assert extract_and_convert(copy) == MIXED
@@ -201,7 +201,8 @@ def test_a_full_disk_names_the_copy(monkeypatch):
     full = OSError(errno.ENOSPC, "No space left on device")
     monkeypatch.setattr("csv.writer", Mock(side_effect=full))
     message = r"cannot be written: No space left on device: '.+cradle\.csv'$"
-    with pytest.raises(OSError, match=message), clean_copy(Snapshot("cradle.csv", b"mass\n1\n")):
+    csv = CradleCsv("cradle.csv", ["mass"], [["1"]])
+    with pytest.raises(OSError, match=message), clean_copy(csv):
         pass
 
 
@@ -217,27 +218,24 @@ def test_a_number_for_the_check_is_a_number_for_pandas(text):
     """
     data = f"mass,e,color,texture\n{text},1,red,none\n".encode()
     try:
-        require_cradle(Snapshot("cradle.csv", data))
+        csv = read_cradle(Snapshot("cradle.csv", data))
     except ValueError:
         return
-    with clean_copy(Snapshot("cradle.csv", data)) as copy:
+    with clean_copy(csv) as copy:
         [pend_dict] = extract_and_convert(copy)
     assert isinstance(pend_dict["mass"], (int, float))
     assert pend_dict["mass"] == float(text)
 
 
 def test_the_copy_of_a_long_number_has_only_digits_that_pandas_2_reads():
-    data = b"id,mass,e\n00000000000000001,0.00000000000000000000012345,0.02000000000000000045\n"
-    with clean_copy(Snapshot("cradle.csv", data)) as copy:
+    cells = ["00000000000000001", "0.00000000000000000000012345", "0.02000000000000000045"]
+    with clean_copy(CradleCsv("cradle.csv", ["id", "mass", "e"], [cells])) as copy:
         assert Path(copy).read_text().split() == ["id,mass,e", "00000000000000001,1.2345e-22,2e-2"]
 
 
 def test_an_edit_leaves_the_other_cells_as_they_are():
-    original = Snapshot("cradle.csv", b'note,mass , e\n"a, b",1.50,1\nshort,2\n')
+    cells = [["a, b", "1.50", "1"], ["c", "2", "1"]]
+    original = CradleCsv("cradle.csv", ["note", "mass", "e"], cells)
     edited = with_numbers(original, {"mass": [1.5, 0.1 + 0.2], "e": [1]})
-    assert edited.filepath == original.filepath
-    assert edited.rows == [
-        (1, ["note", "mass", "e"]),
-        (2, ["a, b", "1.50", "1"]),
-        (3, ["short", "0.30000000000000004"]),
-    ]
+    assert original.pendula == cells == [["a, b", "1.50", "1"], ["c", "2", "1"]]
+    assert edited.pendula == [["a, b", "1.50", "1"], ["c", "0.30000000000000004", "1"]]

@@ -10,9 +10,8 @@ from programs import ROOT
 from src import visualize_cradle_run
 from support.cradle.player import run
 from support.page import endless
-from support.page.tabs import LOOK_AT_TABS
 
-LOOKS = round(endless.TOO_LONG / LOOK_AT_TABS)
+LOOKS = round(endless.TOO_LONG / endless.LOOK)
 
 
 def frame(name):
@@ -20,29 +19,45 @@ def frame(name):
     return SimpleNamespace(f_code=code, f_lineno=7)
 
 
+class Watched:
+    """A watch, what its loop has done, and what it tells."""
+
+    def __init__(self):
+        self.done = 5
+        self.told = []
+        self.watch = endless.Watch(lambda: self.done, self.told.append)
+
+
 @pytest.fixture
-def watch():
-    """A watch of a player whose loop asks nothing any more."""
-    player = SimpleNamespace(motion=SimpleNamespace(ticks=5), pace=SimpleNamespace(frame_start=1.0))
-    return endless.Watch(player)
+def watched():
+    return Watched()
 
 
-def test_the_innermost_function_that_has_not_returned_meanwhile_is_named(watch, monkeypatch):
+def test_the_innermost_function_that_has_not_returned_meanwhile_is_named_until_it_does(
+    watched, monkeypatch
+):
     outer = frame("outer")
     stays = frame("stays")
+    watched.done += 1
     for number in range(LOOKS + 1):
         frames = [frame("returns"), stays, outer] if number % 2 else [stays, outer]
         monkeypatch.setattr(endless, "running", lambda thread, frames=frames: frames)
-        assert watch.words == ""
-        message = watch.look()
+        assert watched.told == []
+        watched.watch.look()
+    watched.watch.look()
+    [message] = watched.told
     assert message.startswith("stays in src/stays.py, line 7, has been running for 3 s")
+    watched.done += 1
+    watched.watch.look()
+    assert watched.told == [message, ""]
 
 
-def test_nothing_is_named_while_the_loop_ticks(watch, monkeypatch):
+def test_nothing_is_named_while_the_loop_ticks(watched, monkeypatch):
     monkeypatch.setattr(endless, "running", lambda thread: [frame("main")])
     for _ in range(2 * LOOKS):
-        watch.player.motion.ticks += 1
-        assert watch.look() == ""
+        watched.done += 1
+        watched.watch.look()
+    assert watched.told == []
 
 
 @pytest.fixture
@@ -58,23 +73,25 @@ def clocked(rig):
 
 def test_the_page_names_the_function_that_does_not_return_until_it_does(clocked, monkeypatch):
     """The one with the loop, not one that it calls again and again."""
-    messages = []
+    told = []
+    watch = endless.Watch(clocked.viewer.progress, told.append)
 
     def does_not_return(*arguments):
-        while len(messages) <= LOOKS:
-            messages.append(clocked.tabs.endless())
         clocked.tabs.are_gone = True
+        for _ in range(LOOKS + 1):
+            if not told:
+                watch.look()
 
     monkeypatch.setattr(visualize_cradle_run, "full_swing_update", does_not_return)
+    clocked.viewer.next.want()
     run(visualize_cradle_run.main, clocked.viewer)
-    assert [*map(bool, messages)] == [False] * LOOKS + [True]
+    [message] = told
     assert re.fullmatch(
         r"newton_cradle_tick in src/visualize_cradle_run\.py, line \d+,"
         r" has been running for 3 s and has not returned\. If a loop in it never ends, press"
         r" Ctrl\+C in the terminal, and mend it\.",
-        messages[-1],
+        message,
     )
-    assert clocked.tabs.endless() == ""
 
 
 def test_a_file_of_yours_may_have_the_name_of_the_players(clocked, monkeypatch):
@@ -88,5 +105,6 @@ def test_a_file_of_yours_may_have_the_name_of_the_players(clocked, monkeypatch):
         clocked.tabs.are_gone = True
 
     monkeypatch.setattr(visualize_cradle_run, "full_swing_update", lambda *_: names["stays"](look))
+    clocked.viewer.next.want()
     run(visualize_cradle_run.main, clocked.viewer)
     assert set(found) == {"stays"}

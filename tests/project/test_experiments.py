@@ -43,14 +43,14 @@ def test_an_experiment_has_a_csv_with_a_color_for_each_pendulum(tmp_path):
     )
     csv = read(tmp_path, text).csv
     assert csv.filepath.name == "two.csv"
-    assert csv.data.decode().splitlines(keepends=True) == [
-        HEADER,
-        "5.0,0.0,0.0,0.0,red,metal\n",
-        "1.0,0.5,0.0,0.0,yellow,metal\n",
-        "1.0,1.0,0.0,0.0,cyan,metal\n",
-        "1.0,1.0,0.0,0.0,blue,metal\n",
-        "1.0,1.0,0.0,0.0,purple,metal\n",
-        "1e-07,1.0,0.0,0.0,red,metal\n",
+    assert csv.columns == HEADER.strip().split(",")
+    assert [",".join(cells) for cells in csv.pendula] == [
+        "5.0,0.0,0.0,0.0,red,metal",
+        "1.0,0.5,0.0,0.0,yellow,metal",
+        "1.0,1.0,0.0,0.0,cyan,metal",
+        "1.0,1.0,0.0,0.0,blue,metal",
+        "1.0,1.0,0.0,0.0,purple,metal",
+        "1e-07,1.0,0.0,0.0,red,metal",
     ]
 
 

@@ -15,7 +15,7 @@ from src.special_cradles import make_newton_cradle
 from support.constants import NC_FP, R_PARAM
 from support.files.cradle_csv import LiveFile, POLL, Snapshot
 from support.files.data_file import has_data, require_replaceable, whole_file
-from support.files.valid_cradle import require_cradle
+from support.files.valid_cradle import read_cradle
 
 # --- write_to_csv -------------------------------------------------------------------------------
 
@@ -192,7 +192,7 @@ def test_a_file_that_goes_or_is_empty_and_comes_back_is_noticed(csv):
         change()
         assert file.three_looks() == [False, True, False]
         with pytest.raises(ValueError, match=words):
-            require_cradle(file.current)
+            read_cradle(file.current)
     csv.write_text("new\n")
     assert file.three_looks() == [False, True, False]
     assert file.current.rows == [(1, ["new"])]

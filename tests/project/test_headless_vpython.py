@@ -225,7 +225,7 @@ from rig import Rig
 from support.page.tabs import Tabs
 
 csv, reloads, texts = Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]
-rig, tabs, measured = Rig(csv, 45), Tabs(), {}
+rig, tabs, measured = Rig(csv, 45), Tabs(lambda function, *arguments: function(*arguments)), {}
 rig.give("pause")  # the time goes to the reloads
 tracemalloc.start()
 for reload in range(1, reloads + 1):

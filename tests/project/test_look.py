@@ -23,7 +23,7 @@ from whole_cradles import HEADER
 
 from support.constants import COLOR_MAP, R_PARAM
 from support.files.experiments import EXPERIMENTS, read_experiments
-from support.page.readout import energy_bar, momentum_bars
+from support.page.bars import energy_bar, momentum_bars
 
 COLORS = ["black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple"]
 

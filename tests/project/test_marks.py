@@ -232,7 +232,7 @@ def test_a_bob_is_dragged_along_its_arc_let_go_and_swings_on_with_no_speed(
     axle = rig.cradle.axles()[4].pos
     bob = rig.cradle.bobs()[bob]
     if is_paused:
-        rig.tabs.give("pause")
+        rig.tell("pause")
     for key in kind.rate_keys:
         pend[key] = 1.0
     rig.mouse("grab", bob.pos + vector(bob.radius / 2, 0, 0), SLANTING)
@@ -258,7 +258,7 @@ def test_a_drag_and_its_end_in_one_picture_are_in_the_graph(rig):
     rig.give("pause")
     rig.mouse("grab", rig.cradle.bobs()[4].pos)
     far = rig.cradle.axles()[4].pos + vector(3, -3, 0)
-    rig.tabs.give("drag", far.value, [0, 0, -1])
+    rig.tell("drag", far.value, [0, 0, -1])
     rig.give("let_go")
     assert rig.bob_angles()[4] == 45
     assert rig.state["curves"]["rows"][-1][3] == pytest.approx(100)
@@ -272,12 +272,12 @@ def test_the_nearest_bob_is_taken_or_the_foremost_one_or_none_far_away(
     rig, bob, radii, direction, taken
 ):
     """A finger may be beside it. While the time stands still, a click changes nothing."""
-    rig.tabs.give("pause")
+    rig.tell("pause")
     rig.give("lifted", 0)
     rig.cradle.pend_list[0]["omega"] = 3.0
     bob = rig.cradle.bobs()[bob]
     rig.mouse("grab", bob.pos + vector(radii * bob.radius, 0, 0), direction)
-    assert rig.cradle.held_bob.index == taken
+    assert rig.viewer.held_bob.grabbed == taken
     rig.give("let_go")
     assert rig.viewer.motion.start_energy == 0
     assert rig.cradle.pend_list[0]["omega"] == 3.0

@@ -23,7 +23,6 @@ def measured(experiment, kind):
     """Measure this experiment with single ticks."""
     player = Swing(make_live(kind), experiment.csv, [None] * kind.cord_count, None, 4, 1e9)
     player.cradle.many_ticks = None
-    player.want_cradle()
     go_on(player)
     player.cradle.pose(experiment.poses)
     player.motion.restart()

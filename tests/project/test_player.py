@@ -6,13 +6,12 @@ from types import SimpleNamespace
 from unittest.mock import patch
 
 import pytest
-from whole_cradles import make_live
+from whole_cradles import checked, make_live
 
 from src import visualize_cradle_run
 from support.constants import DT
 from support.cradle.player import Player, run
 from support.cradle.real_time import FRAME, MAX_BEHIND, RealTime
-from support.files.cradle_csv import Snapshot
 from support.start.mistake import MistakeError
 
 # --- the pace -----------------------------------------------------------------------------------
@@ -26,7 +25,7 @@ class Timed(Player):
 
     def __init__(self, csv, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
         """A tick costs `tick`, a call of the fast path `call`; hiccup delays frame 60 (s)."""
-        super().__init__(make_live(), Snapshot(csv), [None], None, 4, 100 * DT)
+        super().__init__(make_live(), checked(csv), [None], None, 4, 100 * DT)
         self.until, self.tick, self.call, self.hiccup = until, tick, call, hiccup
         self.now = self.slept = 0.0
         self.frames = 0

@@ -21,7 +21,6 @@ from grading.cradles import MIXED, MIXED_CSV
 from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM
 from support.page.show_cradle import show_cradle, show_double_cradle
-from support.page.state import state_of_page
 from support.pendulum import outwards_to_angle
 from support.start.checks_command import checks_command
 
@@ -238,7 +237,7 @@ def start(monkeypatch, csv):
         show(program.main, special_cradles)
         server.close.assert_called_once()
         [(_, viewer)] = [call.args for call in run.mock_calls]
-        viewer.want_cradle()
+        viewer.next.want()
         go_on(viewer)
         place = listen.call_args.args
         return SimpleNamespace(place=place, browser=server.browser_start.open.called, viewer=viewer)
@@ -251,7 +250,7 @@ def test_a_program_does_as_the_options_say(start):
     page = start(show_double_cradle, visualize_double_cradle_run, line)
     assert page.place == ("0.0.0.0", 8000)
     assert not page.browser
-    state = state_of_page(page.viewer)
+    state = page.viewer.state()
     assert state["title"] == "Newton's double cradle"
     assert state["remark"] == ""
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(25)] * 2 + [0]
@@ -266,7 +265,7 @@ def test_a_program_of_single_pendula_has_one_angle_which_ghosts_can_have_too(
     ghosts.write_text("start,0.5,-41.5\nt,theta_1\n0,1\n")
     page = start(show_cradle, visualize_cradle_run, f"{line} --ghosts {ghosts}")
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(angle), 0, 0]
-    assert page.viewer.ghosts.name == "film.csv"
+    assert page.viewer.ghost_file.ghosts.name == "film.csv"
 
 
 @pytest.mark.parametrize(

@@ -116,7 +116,7 @@ def test_the_question_comes_before_each_release_and_the_explanation_after_it(
         assert question["name"] == TWO
         assert question["question"] == "Two bobs come in. What leaves on the other side?"
         assert question["answers"] == ANSWERS
-        asking.tabs.give("answer", question["key"], answer)
+        asking.tell("answer", question["key"], answer)
         asking.wait(0.3)
         assert asking.time() > 0.2
         assert question_of(asking) == QuestionState(reply=reply)

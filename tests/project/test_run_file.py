@@ -20,7 +20,6 @@ from support.files.data_file import is_run, require_replaceable
 from support.page.film import KEPT, LONGEST_PAUSE, WHOLE
 from support.page.film_recorder import NoTabs
 from support.page.run_file import CURVES
-from support.page.tabs import Tabs
 
 OPTIONS = "--seconds", "1", "--e", "0.9"
 ADDRESS = "http://course.example/"
@@ -64,7 +63,7 @@ def test_a_film_has_thirty_pictures_a_second_and_the_last_one_but_three_seconds_
 
 
 def test_the_film_of_a_page_begins_with_a_whole_picture_and_keeps_the_end_of_a_long_run(tabs):
-    tabs.film.kept = Tabs().film.kept
+    tabs.film.kept = KEPT
     show(tabs, 0, x="old", y="never again")
     for now in range(1, 100):
         show(tabs, now, x=now)

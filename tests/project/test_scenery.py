@@ -10,7 +10,7 @@ import pytest
 from vpython import box, scene, vector
 
 from grading.cradles import hang, R
-from support.page.scene.scenery import Scenery, TEXT
+from support.page.scene.scenery import HIT_LINES, Scenery, TEXT
 
 
 def pendula(count):
@@ -34,7 +34,7 @@ def extent(points):
 
 
 def view(scenery):
-    return extent(scenery.view()["points"])
+    return extent(scenery.view(has_text_above=False)["points"])
 
 
 def outline(count, highest):
@@ -119,10 +119,10 @@ def test_the_axles_carry_their_numbers():
     axles, _ = pendula(3)
     places = [axle.pos.x for axle in axles]
     numbers = [{"x": x, "text": text} for x, text in zip(places, "123", strict=True)]
-    assert scenery.view()["numbers"] == numbers
-    top = scenery.view()["top"]
+    assert scenery.view(has_text_above=False)["numbers"] == numbers
+    top = scenery.view(has_text_above=False)["top"]
     assert top > axles[0].pos.y + axles[0].height / 2
-    for more in (0, 5):
-        scenery.lines = more
-        _, (low, high), _ = view(scenery)
-        assert high - top > (1 + more) * TEXT * (high - low)
+    for has_text_above, lines in ((False, 1), (True, 1 + HIT_LINES)):
+        points = scenery.view(has_text_above)["points"]
+        _, (low, high), _ = extent(points)
+        assert high - top > lines * TEXT * (high - low)

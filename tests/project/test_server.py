@@ -18,6 +18,7 @@ from web_client import BELOW, get, PING, Tab
 from whole_cradles import FIVE_CSV
 
 from support.page.port import listen
+from support.page.site import NO_KEY
 
 # They need autobahn, which comes with VPython.
 server = pytest.importorskip("support.page.server")
@@ -102,7 +103,7 @@ def test_without_the_key_the_page_is_a_sentence_and_the_websocket_is_refused(sit
             site, below + name, query, Origin="http://a", Sec_Fetch_Site="same-origin"
         )
         assert status == 403
-        assert content.decode() == connections.NO_KEY
+        assert content.decode() == NO_KEY
         assert site.query.removeprefix("key=") not in str(headers)
     with Tab(site, query, folder=below) as tab:
         assert tab.answer.status in (400, 403)

@@ -3,12 +3,13 @@
 Without a network, and without time.
 """
 
+import asyncio
 from types import SimpleNamespace
 
 import programs
 import pytest
 
-from support.page.tabs import LOOK_AT_TABS, Tabs
+from support.page.attendance import CLOSED, FLICKER, LEFT, LOADING, LOOK_AT_TABS, LOST
 
 # They need autobahn, which comes with VPython.
 server = pytest.importorskip("support.page.server")
@@ -17,26 +18,24 @@ pytestmark = programs.needs_vpython
 
 
 @pytest.fixture
-def silent_site(monkeypatch):
-    """A server without a network, and without time: site.wait(seconds) does the looks of this time.
+def silent(monkeypatch):
+    """A server without a network, and without time: wait(seconds) does the looks of this time.
 
-    site.later are the functions that it wants to call later.
+    later has the functions that it wants to call later.
     """
-
-    def serve(site, ready):
-        site.later = []
-        site.loop = SimpleNamespace(call_later=lambda delay, call: site.later.append(call))
-        ready.set()
 
     def wait(seconds):
         for _ in range(round(seconds / LOOK_AT_TABS)):
-            site.look()
+            silent.look()
 
-    monkeypatch.setattr(server, "keyless_files", dict)
-    monkeypatch.setattr(server.Server, "serve", serve)
-    site = server.Server(None, Tabs(), {})
-    site.wait = wait
-    return site
+    monkeypatch.setattr("support.page.site.keyless_files", dict)
+    monkeypatch.setattr(server.Server, "serve", lambda silent, ready: ready.set())
+    silent = server.Server(None, {})
+    silent.loop.close()
+    silent.later = []
+    silent.loop = SimpleNamespace(call_later=lambda delay, call: silent.later.append(call))
+    silent.wait = wait
+    return silent
 
 
 GONE = (
@@ -45,12 +44,11 @@ GONE = (
 )
 
 
-class Connection(connections.Protocol):
+class Connection(connections.Connection):
     """A connection of a page, without a network."""
 
-    def __init__(self, site, **parameters):
-        super().__init__()
-        self.site = site
+    def __init__(self, silent, **parameters):
+        super().__init__(silent.site, silent.attendance, silent.tabs, silent.waiting)
         self.http_request_params = {name: [text] for name, text in parameters.items()}
         self.state = self.STATE_CLOSED  # so nothing is sent
 
@@ -61,124 +59,125 @@ class Connection(connections.Protocol):
         self.onClose(False, 1006, "")
 
     def say(self, word):
-        self.response_to(word, {"key": [self.site.key], "page": [self.page_name]})
+        self.ask_for(word, {"key": [self.site.key], "page": [self.page_name]})
+
+    def ask_for(self, name, parameters):
+        asyncio.run(self.site.response_to(name, parameters))
 
     def close(self):
         self.onClose(True, 4001, "")
 
 
-def test_the_program_ends_when_the_time_to_come_back_is_over(silent_site, monkeypatch, capsys):
+def test_the_program_ends_when_the_time_to_come_back_is_over(silent, monkeypatch, capsys):
     """A tab that loads has longer: a slow machine loads the page for seconds.
 
     Before the first tab, the program waits for ever. A request without the key wins no time.
     """
-    site = silent_site
     stops = []
     monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
-    key = {"key": [site.key]}
-    site.wait(99)
-    Connection(site).cut()  # it was refused
-    tab = Connection(site)
-    other = Connection(site)
+    key = {"key": [silent.site.key]}
+    silent.wait(99)
+    Connection(silent).cut()  # it was refused
+    tab = Connection(silent)
+    other = Connection(silent)
     tab.onOpen()
     other.onOpen()
     other.close()
     for _ in range(3):
-        site.wait(9)
+        silent.wait(9)
         tab.onPong(b"")
     tab.say("left")
     tab.cut()
     tab.say("closed")
-    site.wait(0.8 * connections.CLOSED)
-    tab.response_to("", key)
-    site.wait(0.9 * connections.LOADING)
-    tab.response_to("", key)
-    site.wait(0.9 * connections.LOADING)
+    silent.wait(0.8 * CLOSED)
+    tab.ask_for("", key)
+    silent.wait(0.9 * LOADING)
+    tab.ask_for("", key)
+    silent.wait(0.9 * LOADING)
     tab.onOpen()
     tab.close()
-    site.wait(connections.CLOSED)
-    tab.response_to("", {})
-    assert not site.tabs.are_gone
-    site.wait(LOOK_AT_TABS)
-    assert site.tabs.are_gone
+    silent.wait(CLOSED)
+    tab.ask_for("", {})
+    assert not silent.tabs.are_gone
+    silent.wait(LOOK_AT_TABS)
+    assert silent.tabs.are_gone
     assert stops == []  # main can end by itself
-    site.later[-1]()
+    silent.later[-1]()
     assert stops == ["now"]
     assert capsys.readouterr().out == ""
 
 
 @pytest.mark.parametrize("is_silent", [False, True])
-def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent_site, capsys, is_silent):
+def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent, capsys, is_silent):
     """Its bob swings on at once.
 
     When it goes on before the program has noticed, its old websocket costs no minute.
     """
-    site = silent_site
-    given = []
-    site.tabs.give = lambda command, *values: given.append(command)
-    tab = Connection(site, page="0.5", has="7")
+    tab = Connection(silent, page="0.5", has="7")
     tab.onOpen()
     tab.cut()
-    site.wait(2)
+    silent.wait(2)
     tab.onOpen()  # so soon that nothing is said
     tab.onMessage(b'["grab"]', False)
+    while not silent.tabs.commands.empty():
+        last = silent.tabs.commands.get()
+    assert last == ["grab"]
     if is_silent:
-        site.wait(connections.SILENT)
-        assert given == ["grab"]
-        site.wait(LOOK_AT_TABS)
+        silent.wait(connections.SILENT)
+        assert silent.tabs.commands.empty()
+        silent.wait(LOOK_AT_TABS)
     else:
         tab.cut()
-    assert given == ["grab", "let_go"]
-    site.wait(connections.LOST)
+    assert silent.tabs.commands.get() == ["let_go"]
+    silent.wait(LOST)
     assert capsys.readouterr().out == GONE.format(57)
     tab.onOpen()
     assert capsys.readouterr().out == "The page is back.\n"
-    again = Connection(site, page="0.5", has="9" * 5000)
+    again = Connection(silent, page="0.5", has="9" * 5000)
     again.onOpen()  # before anything says that tab is lost
-    assert [*site.tabs.tabs] == [again]
-    other = Connection(site)
+    assert [*silent.tabs.tabs] == [again]
+    other = Connection(silent)
     other.onOpen()
     again.cut()
     for _ in range(8):  # longer than a minute
         other.onPong(b"")
-        site.wait(8)
+        silent.wait(8)
     other.close()
-    site.wait(connections.CLOSED)
-    assert not site.tabs.are_gone
-    site.wait(LOOK_AT_TABS)
-    assert site.tabs.are_gone
+    silent.wait(CLOSED)
+    assert not silent.tabs.are_gone
+    silent.wait(LOOK_AT_TABS)
+    assert silent.tabs.are_gone
     assert capsys.readouterr().out == ""
 
 
-def test_a_page_that_is_left_can_come_back_by_back_or_by_a_reload(silent_site, capsys):
+def test_a_page_that_is_left_can_come_back_by_back_or_by_a_reload(silent, capsys):
     """Under its own name, or as another one that names it; it then leaves nothing to wait for."""
-    site = silent_site
-    tab = Connection(site, page="1")
-    again = Connection(site, page="2", was="1")
+    tab = Connection(silent, page="1")
+    again = Connection(silent, page="2", was="1")
     for back in (tab, again):
         tab.onOpen()
         tab.cut()
         tab.say("left")
-        site.wait(connections.LEFT)
-        assert capsys.readouterr().out == GONE.format(connections.LEFT - server.FLICKER)
-        assert not site.tabs.are_gone
+        silent.wait(LEFT)
+        assert capsys.readouterr().out == GONE.format(LEFT - FLICKER)
+        assert not silent.tabs.are_gone
         back.onOpen()
         assert capsys.readouterr().out == "The page is back.\n"
     again.close()
-    site.wait(connections.CLOSED)
-    assert not site.tabs.are_gone
-    site.wait(LOOK_AT_TABS)
-    assert site.tabs.are_gone
+    silent.wait(CLOSED)
+    assert not silent.tabs.are_gone
+    silent.wait(LOOK_AT_TABS)
+    assert silent.tabs.are_gone
 
 
-def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent_site):
-    lost = Connection(silent_site, page="1")
-    other = Connection(silent_site, page="2")
+def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent):
+    lost = Connection(silent, page="1")
+    other = Connection(silent, page="2")
     lost.onOpen()
     lost.cut()
     other.onOpen()
     other.close()
-    silent_site.wait(connections.LOST)
-    assert not silent_site.tabs.are_gone
-    silent_site.wait(LOOK_AT_TABS)
-    assert silent_site.tabs.are_gone
+    silent.wait(LOST)
+    assert not silent.tabs.are_gone
+    silent.wait(LOOK_AT_TABS)
+    assert silent.tabs.are_gone

@@ -60,7 +60,7 @@ def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back
 
 def test_the_menu_of_collisions_has_the_present_one(rig):
     names = rig.control("collision")["choices"]
-    rig.viewer.actions.set_collision(rig.cradle.uniform_e(0.3))
+    rig.viewer.cradle_settings.set_e(0.3)
     rig.wait()
     assert rig.state["collision"] == "e = 0.3"
     assert rig.values("e") == [0.3] * 5

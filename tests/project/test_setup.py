@@ -14,7 +14,7 @@ from src import special_cradles, visualize_cradle_run, visualize_double_cradle_r
 from support.cradle.double_cradle import DoubleCradle
 from support.files.experiments import EXPERIMENTS
 from support.page import show_cradle
-from support.page.setup import FILE, NO_RULE, setup
+from support.page.setup import FILE, NO_RULE
 
 BUILT_IN = str(EXPERIMENTS / "single" / "2_two_bobs.txt")
 BY_FILE = f"--experiment={FILE}"
@@ -34,7 +34,7 @@ def start(monkeypatch, tmp_path):
         else:
             show_cradle.show_double_cradle(visualize_double_cradle_run.main, special_cradles)
         _, viewer = show_cradle.run.call_args[0]
-        viewer.want_cradle()
+        viewer.next.want()
         go_on(viewer)
         return viewer
 
@@ -110,12 +110,12 @@ def test_a_bob_that_was_let_go_begins_there(options_of, rig):
 def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
     """Without a question, nothing is asked."""
     viewer = start("--mass 0.1")
-    assert setup(viewer)["same_cradle"].endswith("run.py --mass=0.1")
+    assert viewer.setup.state()["same_cradle"].endswith("run.py --mass=0.1")
     names = viewer.chooser.names()
     (tmp_path / "two.txt").write_text("name = Two bobs\ntheta = 0 -10")
     for path, count in ((BUILT_IN, 5), ("two.txt", 2)):
         viewer = start(f"--experiment {path}")
-        viewer.actions.set_ask_first(True)
+        viewer.lesson.set_ask_first(True)
         go_on(viewer)
         assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
         assert len(viewer.cradle.pend_list) == count

@@ -14,7 +14,7 @@ from support.constants import DT, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.files.cradle_csv import POLL
-from support.page.actions import STILL_THERE
+from support.page.chooser import STILL_THERE
 
 
 def test_the_table_shows_pend_list_as_it_is_now(rig):
@@ -26,8 +26,7 @@ def test_the_table_shows_pend_list_as_it_is_now(rig):
 
 def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(rig, csv):
     """They came from --mass and from the menu: nothing else may change with the edit."""
-    rig.viewer.change(mass=3.0)
-    rig.give("restart")
+    rig.viewer.next.want(mass=3.0)
     rig.give("collision", "perfectly inelastic, e = 0")
     rig.wait(0.3)
     rig.give("edit", 1, "mass", "2.50")
@@ -166,7 +165,7 @@ def test_a_command_with_other_values_does_nothing(rig):
     for command in REFUSED:
         rig.give(*command)
         assert rig.state == before, command
-        assert rig.cradle.held_bob.index == 2, command
+        assert rig.viewer.held_bob.grabbed == 2, command
     rig.give("drag", *RAY)
     assert rig.bob_angles()[2] == 3  # atan(1 / 20)
 
@@ -213,7 +212,7 @@ def test_one_tick_of_a_cradle_that_a_saved_file_replaces_is_forgotten(rig, csv):
     rig.give("pause")
     csv.write_text(HEADER + GOOD * 7)
     rig.now += POLL
-    rig.viewer.file.changed()  # the first look
+    rig.viewer.chooser.file.changed()  # the first look
     rig.now += POLL
     rig.give("tick")
     rig.give("pause")

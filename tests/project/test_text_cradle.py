@@ -14,14 +14,13 @@ from unittest.mock import Mock
 import pandas as pd
 import pytest
 from programs import call
-from whole_cradles import FIVE_CSV, make_live, PERIOD
+from whole_cradles import checked, FIVE_CSV, make_live, PERIOD
 
 from src import text_cradle_run
 from src.visualize_cradle_run import main as cradle_main
 from support.constants import DT, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import RealTime
-from support.files.cradle_csv import Snapshot
 from support.pendulum import outwards_to_angle
 from support.start import output
 from support.terminal import players
@@ -46,7 +45,7 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     """On a clock on which only sleeping takes time."""
     seconds = 0.7 + PERIOD / 2  # after the hits have run through the row and back
     options = SimpleNamespace(angle=outwards_to_angle(30), lift=1, seconds=seconds)
-    player = players.Lines(make_live(), Snapshot(csv), options)
+    player = players.Lines(make_live(), checked(csv), options)
     slept = []
     player.pace = RealTime(
         DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4))

@@ -28,8 +28,8 @@ def test_pause_and_run(rig):
     assert paused["paused"]
     rig.wait(1)
     assert rig.state == paused  # so nothing is sent
-    rig.tabs.give("pause")
-    assert not rig.viewer.is_time_running()
+    rig.tell("pause")
+    assert not rig.viewer.playback.is_running()
     rig.wait(1)
     assert rig.state["running"]
     # The simulation does not catch up after the pause
@@ -129,6 +129,7 @@ def test_the_loop_ends_when_the_last_tab_is_closed(rig, is_paused):
     rig.tabs.is_seen.clear()
     rig.tabs.are_gone = True
     rig.viewer.pace.sleep = Mock(side_effect=[None] * 3)
+    rig.viewer.next.want()
     run(visualize_cradle_run.main, rig.viewer)
     assert rig.viewer.is_over
 

@@ -10,11 +10,11 @@ from types import SimpleNamespace
 
 import pytest
 from programs import ROOT, slow_except
+from whole_cradles import checked
 
 from support.cradle.cradle import Cradle
 from support.cradle.functions import is_yours
 from support.cradle.player import Player, run
-from support.files.cradle_csv import Snapshot
 
 VISUALIZE_FILE = "visualize_cradle_run.py"
 MAKE = "from src.special_cradles import make_newton_cradle\n"
@@ -200,9 +200,11 @@ class Listener(Player):
     """Plays two cradles after each other, and keeps the hits of each."""
 
     def __init__(self, cradle, csv):
-        super().__init__(cradle, Snapshot(csv), [None], None, impacts=9, step_seconds=0.01)
-        self.looks_at_hits = True
+        super().__init__(cradle, checked(csv), [None], None, impacts=9, step_seconds=0.01)
         self.cradles = []  # the hits of each
+
+    def looks_at_hits(self):
+        return True
 
     def show_new_cradle(self):
         self.cradles.append([])
@@ -210,7 +212,7 @@ class Listener(Player):
 
     def frame(self):
         if len(self.cradles) < 2:
-            self.want_cradle()
+            self.next.want()
         else:
             self.is_over = True
 

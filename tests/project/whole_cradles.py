@@ -15,10 +15,12 @@ from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
+from support.cradle.dragging import move
 from support.cradle.player import Player
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
-from support.pendulum import contact_distance, outwards_to_angle
+from support.files.valid_cradle import CradleCsv, read_cradle
+from support.pendulum import contact_distance, cord_angles, outwards_to_angle
 
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
@@ -118,8 +120,8 @@ def go_on(player) -> None:
     with ExitStack() as stack:
         stack.enter_context(patch.object(player, "frame", side_effect=FrameError))
         stack.enter_context(suppress(FrameError))
-        stack.callback(cradle.hits.stop)
-        if player.needs_cradle:
+        stack.callback(player.hits.stop)
+        if player.next.is_wanted:
             player.begin()
             player.show(scope[cradle.make_name](player.csv, R_PARAM, *starts))
         while player.is_running():
@@ -131,6 +133,11 @@ def thetas(release_angles) -> list:
     return [None if angle is None else outwards_to_angle(angle) for angle in release_angles]
 
 
+def checked(filepath, cords=1) -> CradleCsv:
+    """Return the CSV in this file, checked."""
+    return read_cradle(Snapshot(filepath), cords)
+
+
 class Swing(Player):
     """A player with the number of ticks that a test sets."""
 
@@ -139,17 +146,19 @@ class Swing(Player):
         go_on(self)
 
     def hold(self, bob):
-        self.cradle.held_bob.hold(bob)
+        """Hold this bob at rest, where it is."""
+        self.held_bob.index = bob
+        pend = self.held_bob.pend_of(bob)
+        move(pend, cord_angles(pend), R_PARAM)
 
     def impacts(self):
         return self.motion.impacts.lines()
 
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
-        filepath = self.settings.csv.filepath
+        filepath = self.next.settings.csv.filepath
         filepath.write_text(text)
-        self.change(csv=Snapshot(filepath))
-        self.want_cradle()
+        self.next.want(csv=checked(filepath, self.cradle.cord_count))
         go_on(self)
 
 
@@ -161,9 +170,11 @@ def make_swing(
     It is released from angle and phi (degrees).
     """
     angles = thetas([angle, phi][: kind.cord_count])
-    snapshot = Snapshot(folder / "cradle.csv")
-    player = Swing(make_live(kind, **options), snapshot, angles, lift, impacts, 1e9)
-    player.read(csv)
+    file = folder / "cradle.csv"
+    file.write_text(csv)
+    cradle = make_live(kind, **options)
+    player = Swing(cradle, checked(file, kind.cord_count), angles, lift, impacts, 1e9)
+    go_on(player)
     return player
 
 

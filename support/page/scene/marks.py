@@ -9,7 +9,7 @@ from vpython import arrow, cylinder, ring, sphere, vector
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.energy import bob_motions, momentum
-from support.page.scene.slow_hits import SlowHit
+from support.page.scene.slow_hits import SlowHit, SlowHits
 from support.pendulum import arm, cord_angles, make_shape, Pendulum
 
 # s: an arrow is as long as its bob's way in a ninth of a small swing.
@@ -46,6 +46,13 @@ class Label(NamedTuple):
     kind: str
 
 
+class GhostPoses(NamedTuple):
+    """Where ghosts are: the angles (rad) of cords from straight down, by the pendulum's index."""
+
+    poses: Mapping[int, Sequence[float]]
+    name: str  # of the ghosts
+
+
 class Marks:
     """The marks of one cradle; the next cradle takes the same shapes."""
 
@@ -76,6 +83,29 @@ class Marks:
             if shape.visible != is_needed:  # VPython would send it again
                 shape.visible = is_needed
         return shapes[:count]
+
+    def switch_arrows(self, is_shown: bool) -> None:
+        """Show arrows and momenta, or not."""
+        self.has_arrows = is_shown
+
+    def switch_measures(self, is_shown: bool) -> None:
+        """Show the dial, angles, speeds and the half swings, or not."""
+        self.measures = is_shown
+        self.place_dial()
+
+    def show(self, slow_hits: SlowHits, ghosts: GhostPoses) -> list[Label]:
+        """Show all marks: as in the current slow hit, or as it is now. Return the texts.
+
+        During a slow hit, there are no ghosts: they cover its arrows.
+        """
+        slow_hit = slow_hits.current
+        pend_list = slow_hits.shown_pendula()
+        self.show_arrows(pend_list)
+        self.show_belts()
+        self.show_hit(slow_hit)
+        poses = {} if slow_hit else ghosts.poses
+        self.show_ghosts(poses, ghosts.name)
+        return [*self.bob_labels(pend_list), *self.dial_labels(), *self.ghost_labels]
 
     # --- the motion --------------------------------------------------------------------------
 
@@ -121,10 +151,6 @@ class Marks:
             belt.pos = bob.pos - vector(0, height / 2, 0)
             belt.axis = vector(0, height, 0)
             belt.radius = 1.02 * bob.radius
-
-    def labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
-        """Return the texts in the picture, for these pendula."""
-        return [*self.bob_labels(pend_list), *self.dial_labels(), *self.ghost_labels]
 
     def bob_labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
         """Return texts below the bobs: the mass, if masses differ; and what is measured."""

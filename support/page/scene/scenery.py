@@ -14,6 +14,7 @@ TO_POSTS = 0.86  # from the outer axles, in lengths of the cords: a bob at 45 de
 OVERHANG = 0.06  # of the base beyond the posts, in lengths of the cords
 TEXT = 1 / 30  # the height of the numbers above the axles, in heights of the canvas
 LINE_HEIGHT = 1.3  # from line to line, in heights of the text
+HIT_LINES = 5  # of text about a slow hit, above the cradle
 CANVAS = 1.1  # about the height of the canvas, in heights of the frame
 
 
@@ -47,7 +48,6 @@ class Scenery:
         for direction in (vector(0.2, 0.4, 1), vector(-0.6, 0.3, 0.4)):
             distant_light(direction=direction)
         self.frame: list = []
-        self.lines = 0  # of text above the cradle, which are in view, too
 
     def surround(
         self, axles: Sequence, bobs: Sequence, cords_length: float, masses: Sequence[float]
@@ -86,15 +86,17 @@ class Scenery:
                 quarter = self.size.cords_length / 4  # not in each picture a little
                 self.above = quarter * ceil(height / quarter)
 
-    def view(self) -> dict:
+    def view(self, has_text_above: bool) -> dict:
         """Return what a tab must know: the points (m) that its camera shows, and the numbers.
 
-        The points are those of the frame, of all swings, and of the text above the cradle.
+        The points are those of the frame, of all swings, and of the text above the cradle, if there
+        is some.
         """
+        lines = HIT_LINES if has_text_above else 0
         left, right, top, bottom, depth, cords_length, radius = self.size
         ground = bottom - base_height(cords_length) / 2
         # The numbers, a gap, and the lines above them.
-        writing = radius / 2 + (self.lines + 1.5) * LINE_HEIGHT * TEXT * CANVAS * (top - ground)
+        writing = radius / 2 + (lines + 1.5) * LINE_HEIGHT * TEXT * CANVAS * (top - ground)
         points: list[tuple[float, float, float]]
         points = [(self.numbers[0].x, top + writing, 0), (self.numbers[-1].x, top + writing, 0)]
         for x in (left - OVERHANG * cords_length, right + OVERHANG * cords_length):

@@ -7,8 +7,10 @@ from typing import NamedTuple
 
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
+from support.pendulum import Pendulum
 
 EACH = 1.2  # s that each hit is shown
+FAINTEST = 0.3  # of the arrows of a hit
 CAPTION = "Pink: the changes of momentum. The program computes the hits pair by pair."
 
 
@@ -17,7 +19,7 @@ class SlowHit(NamedTuple):
 
     hit: Hit
     number: int  # in its series
-    pend_list: list[dict]  # all pendula as after it
+    pend_list: list[Pendulum]  # all pendula as after it
 
 
 class SlowHits:
@@ -25,10 +27,16 @@ class SlowHits:
 
     def __init__(self, cradle: Cradle) -> None:
         self.cradle = cradle
+        self.is_on = False
+        self.clear()
+
+    def switch(self, is_on: bool) -> None:
+        """Show the hits slowly, or not."""
+        self.is_on = is_on
         self.clear()
 
     def clear(self) -> None:
-        """Forget waiting hits: for a new cradle, or when Slow hits is switched on."""
+        """Forget waiting hits: for a new cradle, or when Slow hits is switched."""
         self.waiting: deque[SlowHit] = deque()
         self.current: SlowHit | None = None
         self.until = 0.0  # the time on the pace's clock at which the next one comes
@@ -68,9 +76,18 @@ class SlowHits:
         self.current = self.waiting.popleft() if self.waiting else None
         self.until = now + EACH
 
-    def part_left(self, now: float) -> float:
-        """Return the part of the hit's time that is left; now (s) is on the pace's clock."""
-        return round(max(0.0, (self.until - now) / EACH), 2)
+    def shown_pendula(self) -> list[Pendulum]:
+        """Return the pendula as they are shown: as after the hit, or as they are now."""
+        return self.current.pend_list if self.current else self.cradle.pend_list
+
+    def fade(self, now: float, is_running: bool) -> float:
+        """Return how strong the arrows of a hit still are; 1 is full, as while paused.
+
+        now (s) is on the pace's clock.
+        """
+        if self.current is None or not is_running:
+            return 1.0
+        return max(FAINTEST, round((self.until - now) / EACH, 2))
 
     def state(self) -> dict | None:
         """Return what the page says of the hit: a title, lines and a caption; or None."""

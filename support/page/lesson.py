@@ -1,0 +1,56 @@
+"""The experiments as a class goes through them: choose one, predict, see, and see it again."""
+
+from support.cradle.motion import Motion
+from support.page.chooser import Chooser
+from support.page.playback import Playback
+from support.page.questions import Questions
+
+
+class Lesson:
+    """Chooses experiments, and asks their questions."""
+
+    def __init__(self, chooser: Chooser, questions: Questions, playback: Playback):
+        self.chooser = chooser
+        self.questions = questions
+        self.playback = playback
+
+    def choose(self, name: str) -> None:
+        """Let main make the cradle with this name; an experiment runs at once."""
+        self.chooser.choose(name)
+        self.questions.word = ""
+        if self.chooser.experiment:
+            self.playback.is_paused = False
+
+    def choose_next(self) -> None:
+        """Choose the next experiment, after the last one the first."""
+        self.choose(self.chooser.next_name())
+
+    def set_ask_first(self, asks: bool) -> None:
+        """Ask the question of an experiment before its release, or not; restart an experiment."""
+        self.questions.ask_first = asks
+        self.questions.word = ""
+        if self.chooser.whole_experiment():
+            self.run_again()
+
+    def repeat(self, slowly: bool) -> None:
+        """Run the experiment again with the same answer, maybe slowly."""
+        measurement = self.questions.measurement
+        if measurement and measurement.is_over:
+            self.questions.repeat(slowly)
+            self.run_again()
+
+    def run_again(self) -> None:
+        self.playback.is_paused = False
+        self.chooser.next.want()
+
+    def begin(self, motion: Motion) -> None:
+        """Begin with a new cradle of this Motion: ask the question of its experiment, if you want.
+
+        main may have read another file, with another number of pendula.
+        """
+        experiment = self.chooser.whole_experiment()
+        if experiment and len(experiment.poses) != len(motion.cradle.pend_list):
+            experiment = None
+        self.questions.begin(experiment, motion)
+        if self.questions.is_asking:
+            self.playback.is_paused = False  # so the cradle runs when the question is over
