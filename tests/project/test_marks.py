@@ -264,6 +264,24 @@ def test_a_drag_and_its_end_in_one_picture_are_in_the_graph(rig):
     assert rig.state["curves"]["rows"][-1][3] == pytest.approx(100)
 
 
+@pytest.mark.parametrize("bob", [0, 2])
+def test_a_tap_that_moves_no_bob_changes_nothing(csv, bob):
+    """Neither for a bob that swings, nor for one that hangs, and is hit meanwhile."""
+    tapped, left_alone = Rig(csv), Rig(csv)
+    for rig in (tapped, left_alone):
+        rig.give("experiment", "Two bobs")
+        rig.wait(0.1)
+        if rig is tapped:
+            rig.mouse("grab", rig.cradle.bobs()[bob].pos)
+        rig.wait(0.3)
+        if rig is tapped:
+            rig.give("let_go")
+        rig.wait(0.3)
+    assert tapped.thetas() == left_alone.thetas()
+    assert tapped.state["experiment"] == "Two bobs"
+    assert not tapped.state["changed"]
+
+
 @pytest.mark.parametrize(
     ("bob", "radii", "direction", "taken"),
     [(4, 1.4, AHEAD, 4), (4, -1.4, AHEAD, 3), (2, 0, ALONG, 4), (4, 1.6, AHEAD, None)],

@@ -3,6 +3,7 @@
 The examples of the film are numbers of pictures; what a picture shows is in the browser's tests.
 """
 
+import asyncio
 import base64
 import csv
 import gzip
@@ -11,6 +12,7 @@ import json
 import re
 import socket
 from math import degrees
+from threading import Event
 
 import pytest
 from pages import bob_angles, new_page, pixel, press, readout, saved, wait_for_cradle
@@ -20,6 +22,7 @@ from support.files.data_file import is_run, require_replaceable
 from support.page.film import KEPT, LONGEST_PAUSE, WHOLE
 from support.page.film_recorder import NoTabs
 from support.page.run_file import CURVES
+from support.page.site import RUN_FILE, Site
 
 OPTIONS = "--seconds", "1", "--e", "0.9"
 ADDRESS = "http://course.example/"
@@ -115,6 +118,23 @@ def test_a_file_has_the_licences_and_no_name_of_this_machine(run_file):
     assert pictures_in(run_file).count('"curves":{') < 1 / CURVES + 2  # the largest part
     assert len(text) < 1_200_000  # bytes
     require_replaceable("--html", run_file, is_run, "a run of a cradle")
+
+
+def test_the_server_goes_on_while_a_run_is_made(monkeypatch):
+    """A long run takes seconds."""
+    has_gone_on = Event()
+
+    def make(pictures):
+        return b"a run" if has_gone_on.wait(10) else b"too late"
+
+    async def ask_for_a_run():
+        asyncio.get_running_loop().call_soon(has_gone_on.set)
+        return await site.response_to(RUN_FILE, {"key": [site.key]})
+
+    monkeypatch.setattr("support.page.run_file.run_as_html", make)
+    monkeypatch.setattr("support.page.site.keyless_files", dict)
+    site = Site({}, None, lambda: ["a picture"])
+    assert asyncio.run(ask_for_a_run()).content == b"a run"
 
 
 @pytest.mark.slow
