@@ -1,14 +1,18 @@
 """The files of the page: its own, and those of VPython that it uses."""
 
+import json
 from collections.abc import Mapping
 from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 
+from support.page.names import names_as_module
+
 # Where glowcomm.html has its fonts and its own websocket behind it.
 VPYTHON_SCRIPT = "window.__GSlang ="
 WEB = Path(__file__).with_name("web")
 PAGE = WEB / "page.html"
+NO_MAP = '<script type="importmap"></script>'  # in page.html
 
 
 def keyless_files() -> dict[str, bytes | Path]:
@@ -22,6 +26,7 @@ def keyless_files() -> dict[str, bytes | Path]:
                 files[path.name] = path
     page = (libraries / "glowcomm.html").read_text(encoding="utf-8")
     _, start, script = page.partition(VPYTHON_SCRIPT)
+    files["names.js"] = names_as_module().encode()
     files["vpython.js"] = (start + script).partition("</script>")[0].encode()
     # A call without a use, which some sites forbid.
     files["glow.min.js"] = content_of(files["glow.min.js"]).replace(b'eval("0");', b"")
@@ -33,11 +38,22 @@ def page_with(texts: Mapping[str, str]) -> bytes:
 
     So the page has them also if it never hears from the program.
     """
-    page = PAGE.read_text(encoding="utf-8")
+    page = page_with_modules({name: f"./{name}.js" for name in module_names()})
     for name, text in texts.items():
         place = f'data-text="{name}">'
         page = page.replace(place, place + escape(text))
     return page.encode()
+
+
+def module_names() -> list[str]:
+    """Return the bare names by which the modules import each other."""
+    return ["names", *(path.stem for path in WEB.glob("*.js"))]
+
+
+def page_with_modules(addresses: Mapping[str, str]) -> str:
+    """Return the page with the addresses of its modules, by their bare names."""
+    page = PAGE.read_text(encoding="utf-8")
+    return page.replace(NO_MAP, NO_MAP.replace("><", f">{json.dumps({'imports': addresses})}<"))
 
 
 def content_of(file: bytes | Path) -> bytes:

@@ -109,7 +109,7 @@ HAS_CURSOR = """cursor =>
     getComputedStyle(document.querySelector('.canvas canvas:last-of-type')).cursor === cursor"""
 IS_SHARP = """() => {
     const { width, height, clientWidth, clientHeight } = one(".canvas canvas");
-    return width === 2 * clientWidth && height === 2 * clientHeight && labels[0].height === 28;
+    return width === 2 * clientWidth && height === 2 * clientHeight && scene().__overlay_objects.objects[0].height === 28;
 }"""
 
 
@@ -198,8 +198,9 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
     question.get_by_text("One bob comes in.").wait_for()
     button(shared, "Two bobs").tap()
     question.get_by_text("Two bobs come in.").wait_for()
-    # The picture of the sheet is there
-    shared.wait_for_function("() => keptName === state.question.name")
+    # The picture of the sheet is there as soon as all bobs were drawn
+    shared.wait_for_function("() => bobs().every(bob => bob.ready)")
+    shared.evaluate("new Promise(done => scene().bind('draw_complete', done))")
     pages.draw(shared, False)
     button(shared, "Present").tap()
     wait_until(lambda: menu(shared, "Collisions").is_hidden())
@@ -272,7 +273,8 @@ def test_the_table_shows_theta_and_takes_a_mass(shared):
 
 # Let the page hear of a hit with this speed (m/s); return the largest sample that follows.
 HIT = """async speed => {
-    shows.sound({ speed });
+    state.sound = { speed };
+    update("sound");
     let most = 0;
     for (let look = 0; look < 20; look++) { // a single look can be too early or too late
         await new Promise(resolve => setTimeout(resolve, 50));
