@@ -18,14 +18,19 @@ from support.files.data_file import RUN_LINE
 from support.files.experiments import YOUR_CSV
 from support.page.film import FilmPicture
 from support.page.tabs import Tabs
-from support.page.web_files import content_of, keyless_files, module_names, page_with_modules
+from support.page.web_files import (
+    content_of,
+    keyless_files,
+    LIVE,
+    module_names,
+    page_with_modules,
+)
 
 # Of the state; the rest is for controls, or names files of this machine.
 STATE_OF_RUN = (
     "title", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view", "summary",
     "ended",
 )  # fmt: skip
-LIVE = '<script type="module" src="line.js" data-served></script>'  # in page.html
 CURVES = 0.4  # s from one state of the graph to the next: it is most of the film
 LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")
 TEXTURE = re.compile(r'":(\w+\.jpg)"')  # a texture's name, as VPython has it

@@ -12,7 +12,9 @@ from support.page.names import names_as_module
 VPYTHON_SCRIPT = "window.__GSlang ="
 WEB = Path(__file__).with_name("web")
 PAGE = WEB / "page.html"
-NO_MAP = '<script type="importmap"></script>'  # in page.html
+# In page.html
+NO_MAP = '<script type="importmap"></script>'
+LIVE = '<script type="module" src="line.js" data-served></script>'
 
 
 def keyless_files() -> dict[str, bytes | Path]:
@@ -38,7 +40,11 @@ def page_with(texts: Mapping[str, str]) -> bytes:
 
     So the page has them also if it never hears from the program.
     """
-    page = page_with_modules({name: f"./{name}.js" for name in module_names()})
+    addresses = {name: f"./{name}.js" for name in module_names()}
+    page = page_with_modules(addresses)
+    # All at once: else, a module comes only when another one asks for it.
+    links = [f'<link rel="modulepreload" href="{address}">' for address in addresses.values()]
+    page = page.replace(LIVE, "\n".join([*links, LIVE]))
     for name, text in texts.items():
         place = f'data-text="{name}">'
         page = page.replace(place, place + escape(text))

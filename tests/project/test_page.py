@@ -109,7 +109,8 @@ HAS_CURSOR = """cursor =>
     getComputedStyle(document.querySelector('.canvas canvas:last-of-type')).cursor === cursor"""
 IS_SHARP = """() => {
     const { width, height, clientWidth, clientHeight } = one(".canvas canvas");
-    return width === 2 * clientWidth && height === 2 * clientHeight && scene().__overlay_objects.objects[0].height === 28;
+    const [number] = scene().__overlay_objects.objects;
+    return width === 2 * clientWidth && height === 2 * clientHeight && number.height === 28;
 }"""
 
 
@@ -172,9 +173,15 @@ def test_a_slow_double_click_on_a_picture_chooses_no_answer(shared):
     shared.locator(".choice").first.wait_for()
     shared.mouse.click(*place)
     shared.keyboard.press("f")  # hands are counted in full screen
+    question = shared.locator(".question")
+    question.evaluate("element => element.isSame = true")
     button(shared, "0 hands for B").press("Space")
     shared.keyboard.press("Space")  # the button still has the keys
     button(shared, "2 hands for B").wait_for()
+    # A screen reader says what is new in the question, which is one number
+    assert shared.evaluate("document.activeElement.textContent") == "2 hands"
+    assert shared.get_by_role("status").and_(question).get_attribute("aria-atomic") == "false"
+    assert question.evaluate("element => element.isSame")
     shared.keyboard.press("c")
     wait_for_text(shared, "You said: C")
 

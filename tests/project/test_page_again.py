@@ -80,9 +80,9 @@ def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
 
 
 def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
-    page.route("**/questions.js", lambda route: route.abort(), times=1)
+    page.route("**/questions.js", lambda route: route.abort(), times=2)
     with programs.running(program) as process:
-        page.goto(programs.first_lines(process))
+        page.goto(programs.first_lines(process), wait_until="commit")
         page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
         wait_for_cradle(page)
         wait_for_moves(page)

@@ -1,7 +1,7 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
 // And the texts in its picture: the numbers above the axles, and the labels.
 import { label, scene, vec } from "glow";
-import { one, show, state } from "page";
+import { one, state } from "page";
 
 const FORWARD = [0, -0.2, -1]; // the camera looks a little from above
 const MARGIN = 1.04; // the view is larger than the cradle by this factor

@@ -23,7 +23,7 @@ const makers = {
 };
 
 const fillers = {
-  Switch(box, control, value) {
+  Switch(box, _, value) {
     box.checked = value;
   },
   Slider(slider, { min, max, text }, value) {

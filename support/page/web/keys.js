@@ -90,5 +90,5 @@ addEventListener("change", ({ target }) => {
 });
 
 function giveKeysBack(target) {
-  if (byMouse && target.type !== "text") document.activeElement.blur();
+  if (byMouse && target.type !== "text") one(":focus")?.blur();
 }

@@ -68,7 +68,7 @@ function connect() { // the program sends what is later than the last message
   if (isDone) return;
   clearTimeout(retry);
   socket?.close();
-  address.searchParams.set("has", has);
+  address.searchParams.set("has", `${has}`);
   const line = new WebSocket(address);
   socket = line;
   line.onmessage = event => {
