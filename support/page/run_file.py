@@ -17,7 +17,13 @@ from typing import Any
 from support.files.data_file import RUN_LINE
 from support.files.experiments import YOUR_CSV
 from support.page.film import FilmPicture
-from support.page.web_files import content_of, keyless_files, PAGE
+from support.page.web_files import (
+    content_of,
+    keyless_files,
+    LIVE,
+    module_names,
+    page_with_modules,
+)
 
 # Of the state; the rest is for controls, or names files of this machine.
 STATE_OF_RUN = (
@@ -44,13 +50,16 @@ def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
     player = [
         script(' type="application/json" class="textures"', json.dumps(textures)),
         script(' type="text/plain" class="run"', in_letters(gzip.compress(run.encode(), mtime=0))),
-        script("", text_of("run.js")),
+        script(' type="module"', 'import "run";'),
     ]
 
-    html = PAGE.read_text(encoding="utf-8")
+    modules = {}
+    for name in module_names():
+        modules[name] = f"data:text/javascript;base64,{in_letters(content_of(web[f'{name}.js']))}"
+    html = page_with_modules(modules)
     html = html.replace("<!doctype html>", f"{RUN_LINE}\n<!--\n{licence()}\n-->", 1)
     html = html.replace('<html lang="en">', '<html lang="en" class="recorded">', 1)
-    html = html.replace('<script src="line.js" data-served></script>', "\n".join(player), 1)
+    html = html.replace(LIVE, "\n".join(player), 1)
     html = re.sub(r"(?s)<main.*</template>", lambda places: filled_at_start(places[0]), html)
     html = re.sub(r"(?s)<script[^>]* data-served>.*?</script>\n", "", html)
     html = re.sub(
@@ -59,17 +68,17 @@ def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
         html,
     )
     html = re.sub(
-        r'<script( type="module")? src="(.*?)"></script>',
-        lambda found: script(found[1] or "", text_of(found[2])),
+        r'<script src="(.*?)"></script>',
+        lambda found: script("", text_of(found[1])),
         html,
     )
     return html.encode()
 
 
 def filled_at_start(places: str) -> str:
-    """Return an element that a script of the page fills with these places."""
+    """Return an element that places.js fills with these places."""
     text = script(' type="text/html" class="empty-places"', places)
-    return f'{text}\n<div class="places"></div>\n<script src="places.js"></script>'
+    return f'{text}\n<div class="places"></div>'
 
 
 def script(attributes: str, text: str) -> str:

@@ -41,6 +41,21 @@ SMALL = """addEventListener("DOMContentLoaded", () => {
     </style>`);
 })"""
 
+# The page's scripts are modules, which have nothing global: the tests get all that these export as
+# globals, with the present values.
+MODULES = "camera", "colors", "glow", "light", "mouse", "page", "present", "program"
+GIVE_NAMES = """addEventListener("DOMContentLoaded", () => {
+    if (!document.querySelector("[type=importmap]")) return;
+    const script = document.createElement("script");
+    script.type = "module";
+    script.textContent = MODULES.map(name => `
+        import * as ${name} from "${name}";
+        Object.assign(window, ${name});
+    `).join("");
+    document.head.append(script);
+    script.remove(); // it runs all the same; a page that is saved is without it
+})""".replace("MODULES", str([*MODULES]))
+
 # The bobs' positions, as the page has them.
 BOBS = """() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible)
     .map(o => [o.pos.x, o.pos.y])"""
@@ -74,6 +89,7 @@ def new_page(browser, **settings):
     page = browser.new_page(viewport={"width": 1000, "height": 700}, **settings)
     page.set_default_timeout(SECONDS * 1000)
     page.add_init_script(SMALL)
+    page.add_init_script(GIVE_NAMES)
     yield page
     page.close()
 
@@ -89,11 +105,9 @@ def wait_for_cradle(page, bobs=5, drawn=False):
 
     Only a test of the picture has it drawn.
     """
-    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length === {bobs}")
+    page.wait_for_function(f"() => window.scene && ({BOBS})().length === {bobs}")
     draw(page, drawn)
-    page.wait_for_function(
-        "() => home && glowObjs[0].width === $('.canvas').width() * devicePixelRatio"
-    )
+    page.wait_for_function("() => scene().width === $('.canvas').width() * devicePixelRatio")
 
 
 def draw(page, drawn):

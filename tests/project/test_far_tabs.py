@@ -233,6 +233,27 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
         wait_for_moves(page)
 
 
+# Before the page's own scripts: isCut is whether its line has been cut.
+SAY_CUT = """WebSocket = class extends WebSocket {
+    constructor(...how) {
+        super(...how);
+        this.addEventListener("close", () => window.isCut = true);
+    }
+}"""
+
+
+@pytest.mark.parametrize("browser", ["chromium", "firefox"])
+def test_a_key_is_not_lost_in_a_moment_without_a_line(request, csv, browser):
+    with far_tab(request.getfixturevalue(browser), csv) as (_, page, address, proxy):
+        page.add_init_script(SAY_CUT)
+        open_cradle(page, address)
+        proxy.set_cut(True)
+        page.wait_for_function("() => window.isCut")
+        page.keyboard.press("Space")
+        proxy.set_cut(False)
+        pages.button(page, "Run").wait_for()
+
+
 def test_a_page_does_not_say_that_a_killed_program_has_ended_until_a_new_one_answers(page, csv):
     with running(None, str(csv)) as process:
         open_cradle(page, first_lines(process))

@@ -52,7 +52,9 @@ CONTRASTS = """circles => {
 }"""
 
 # The places (m) of the shadows that are visible, from left to right: one for each bob and layer.
-SHADOWS = "() => shadows.filter(disc => disc.visible).map(disc => disc.pos.x)"
+SHADOWS = """() => scene().objects
+    .filter(shape => kindOf(shape) === "cylinder" && !shape.pickable)
+    .map(disc => disc.pos.x)"""
 
 
 @pytest.fixture
@@ -94,7 +96,7 @@ def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
 def test_shadows_are_under_the_bobs(shared):
     press(shared, "Pause")
     pages.draw(shared, True)
-    shared.wait_for_function("() => shadows.length")
+    shared.wait_for_function(f"() => ({SHADOWS})().length")
     pages.draw(shared, False)
     for lifted, angle in ((1, 45), (5, 45), (0, 0)):
         shared.keyboard.press(str(lifted)) if lifted else slide(shared, "Bobs lifted", 0)

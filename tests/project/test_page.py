@@ -109,7 +109,8 @@ HAS_CURSOR = """cursor =>
     getComputedStyle(document.querySelector('.canvas canvas:last-of-type')).cursor === cursor"""
 IS_SHARP = """() => {
     const { width, height, clientWidth, clientHeight } = one(".canvas canvas");
-    return width === 2 * clientWidth && height === 2 * clientHeight && labels[0].height === 28;
+    const [number] = scene().__overlay_objects.objects;
+    return width === 2 * clientWidth && height === 2 * clientHeight && number.height === 28;
 }"""
 
 
@@ -172,9 +173,15 @@ def test_a_slow_double_click_on_a_picture_chooses_no_answer(shared):
     shared.locator(".choice").first.wait_for()
     shared.mouse.click(*place)
     shared.keyboard.press("f")  # hands are counted in full screen
+    question = shared.locator(".question")
+    question.evaluate("element => element.isSame = true")
     button(shared, "0 hands for B").press("Space")
     shared.keyboard.press("Space")  # the button still has the keys
     button(shared, "2 hands for B").wait_for()
+    # A screen reader says what is new in the question, which is one number
+    assert shared.evaluate("document.activeElement.textContent") == "2 hands"
+    assert shared.get_by_role("status").and_(question).get_attribute("aria-atomic") == "false"
+    assert question.evaluate("element => element.isSame")
     shared.keyboard.press("c")
     wait_for_text(shared, "You said: C")
 
@@ -198,8 +205,9 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
     question.get_by_text("One bob comes in.").wait_for()
     button(shared, "Two bobs").tap()
     question.get_by_text("Two bobs come in.").wait_for()
-    # The picture of the sheet is there
-    shared.wait_for_function("() => keptName === state.question.name")
+    # The picture of the sheet is there as soon as all bobs were drawn
+    shared.wait_for_function("() => bobs().every(bob => bob.ready)")
+    shared.evaluate("new Promise(done => scene().bind('draw_complete', done))")
     pages.draw(shared, False)
     button(shared, "Present").tap()
     wait_until(lambda: menu(shared, "Collisions").is_hidden())
@@ -272,7 +280,8 @@ def test_the_table_shows_theta_and_takes_a_mass(shared):
 
 # Let the page hear of a hit with this speed (m/s); return the largest sample that follows.
 HIT = """async speed => {
-    shows.sound({ speed });
+    state.sound = { speed };
+    update("sound");
     let most = 0;
     for (let look = 0; look < 20; look++) { // a single look can be too early or too late
         await new Promise(resolve => setTimeout(resolve, 50));

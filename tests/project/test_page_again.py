@@ -80,11 +80,11 @@ def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
 
 
 def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
-    page.route("**/questions.js", lambda route: route.abort(), times=1)
+    page.route("**/questions.js", lambda route: route.abort(), times=2)
     with programs.running(program) as process:
-        page.goto(programs.first_lines(process))
+        page.goto(programs.first_lines(process), wait_until="commit")
         page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
-        page.wait_for_function("() => typeof shows === 'object' && 'question' in shows")
+        wait_for_cradle(page)
         wait_for_moves(page)
 
 
@@ -164,7 +164,7 @@ def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
 
 def test_each_tab_has_its_own_camera_and_the_cradle_swings_on_when_one_is_reloaded(tabs):
     first, second, third = tabs
-    first.evaluate("window.times = []; shows.now = () => times.push(parseFloat(state.motion.t))")
+    first.evaluate("window.times = []; show('now', () => times.push(parseFloat(state.motion.t)))")
     second.mouse.move(100, 100)
     second.mouse.down(button="right")
     second.mouse.move(160, 100, steps=3)

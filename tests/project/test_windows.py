@@ -126,7 +126,7 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
     sizes = """() => [
         getComputedStyle(document.body).fontSize,
         getComputedStyle(one(".impacts")).fontSize,
-        labels[0].height,
+        scene().__overlay_objects.objects[0].height,
     ]"""
     with (
         driver.chromium.launch(executable_path=pages.CHROMIUM, args=arguments) as browser,
@@ -151,7 +151,7 @@ VISIBLE_LINES = """() => {
 def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
     chains = ["1-2-3", "1-2-3-4", "1-2-3-4-5", "1-2-3-4-5-6", "1-2-3-4-5-6-7"]
     lines = [f"t = 12.34 s  {chain}  {chain}  {chain}" for chain in chains]
-    at_rest.evaluate("lines => shows.impacts(lines)", lines)
+    at_rest.evaluate(SHOW_IMPACTS, [[], lines])
     bottoms = at_rest.evaluate(VISIBLE_LINES)
     assert 2 <= len(bottoms) < 5
     assert max(bottoms) <= edges(at_rest, ".series")[3] + 1
@@ -160,8 +160,8 @@ def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
 
 
 SHOW_IMPACTS = """([colors, lines]) => {
-    state.colors = colors;
-    shows.impacts(lines);
+    Object.assign(state, { colors, impacts: lines });
+    update("impacts");
 }"""
 SHOWN_CHAINS = """() => find(".series div > span")
     .map(word => [...word.querySelectorAll(".dots i")].map(dot => dot.style.backgroundColor))

@@ -1,5 +1,8 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
 // And the texts in its picture: the numbers above the axles, and the labels.
+import { label, scene, vec } from "glow";
+import { one, state } from "page";
+
 const FORWARD = [0, -0.2, -1]; // the camera looks a little from above
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
 const NEAREST = 0.1; // of the range with which the whole cradle fills the canvas
@@ -19,11 +22,11 @@ const STYLES = {
   name: { ...BOXED, yoffset: 1 },
 };
 
-let home = null; // the center and the range with which the whole cradle fills the canvas
+let home; // the center and the range with which the whole cradle fills the canvas
 let fitted; // the points for which it does
 const labels = []; // VPython's, for the texts
 
-function follow(points) {
+export function follow(points) {
   const isNew = fitted !== JSON.stringify(points);
   fitted = JSON.stringify(points);
   if (isNew) fit();
@@ -35,7 +38,7 @@ function follow(points) {
 // at the distance d = range / tan(fov / 2). A point at the distance x from the axis of view, and z
 // nearer to the camera than the center, appears in that plane at x d / (d - z). So range * side /
 // shorter side must be at least x d / (d - z).
-function fit() {
+export function fit() {
   const { width, height, fov, up } = scene();
   const forward = scene().forward.norm();
   const sideways = forward.cross(up).norm();
@@ -60,14 +63,20 @@ function fit() {
   writeTexts();
 }
 
-function resetView() {
-  Object.assign(scene(), { forward: vec(...FORWARD), up: vec(0, 1, 0) });
+// Look in a direction; without one, in that of the start.
+export function look(direction) {
+  scene().forward = vec(...direction ?? FORWARD);
+}
+
+export function resetView() {
+  look();
+  scene().up = vec(0, 1, 0);
   fit();
 }
 one(".view").addEventListener("click", resetView);
 
 // The camera never looks at the base from below, stays upright, and comes back if it sees nothing.
-function limit() {
+export function limit() {
   const { forward, up, center, range } = scene();
   const away = center.sub(home.center);
   const allowed = Math.min(Math.max(range, NEAREST * home.range), FARTHEST * home.range);

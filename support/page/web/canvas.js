@@ -1,33 +1,36 @@
 // VPython's canvas in this tab: its size, its color, its name, and the loss of the graphics driver.
 // It has a camera (camera.js), it can be touched (mouse.js), and printed (paper.js).
-window.__context = { glowscript_container: $(".canvas") };
-window.Jupyter_VPython = ""; // before the names of textures: they are next to the page
+import { fit, follow, limit, look } from "camera";
+import { dark } from "colors";
+import { canDraw, coordinates, draw, layers, rgb, scene, vec } from "glow";
+import { endPicture, light, paintShapes, shine } from "light";
+import { listen } from "mouse";
+import { css, notice, one, remember, show, state, update } from "page";
+import { keepPicture } from "paper";
+import { isOpen } from "program";
 
-const dark = matchMedia("(prefers-color-scheme: dark)");
-const scene = () => glowObjs[0];
-const isSphere = o => o?.constructor.name === "sphere";
-const bobs = () => glowObjs.filter(o => isSphere(o) && o.visible && o.pickable); // a ghost is not
+let hasBegun = false;
 
-// Firefox's driver may remove an attribute that a shader does not use (opacity). VPython then
-// passes undefined as its number. WebGL reads undefined as 0, the number of the position, and draws
-// nothing.
-const gl = canDraw ? WebGL2RenderingContext.prototype : {};
-for (const name of ["enableVertexAttribArray", "vertexAttribPointer"]) {
-  const call = gl[name];
-  gl[name] = function (attribute, ...others) {
-    if (attribute !== undefined) call.call(this, attribute, ...others);
-  };
+if (!canDraw) notice("no-webgl");
+
+// Show what a message changes: in VPython's drawing, and in the state.
+export function showPicture({ state: changes, ...drawing }) {
+  if (canDraw) draw(drawing);
+  Object.assign(state, changes);
+  for (const name in changes) update(/** @type {any} */ (name));
+  if (hasBegun) light();
 }
 
-shows.view = view => { // the first one comes with the canvas
+show("view", view => { // the first one comes with the canvas
   if (!canDraw) return;
-  if (!home) begin();
+  if (!hasBegun) begin();
   follow(view.points);
-};
+});
 
 function begin() {
-  const element = scene().__canvas_element;
-  scene().forward = vec(...history.state?.forward ?? FORWARD);
+  hasBegun = true;
+  const [element] = layers();
+  look(history.state?.forward);
   remember({ forward: null });
   listen();
   // The first picture waits for the bobs and their textures: one without them would only delay it.
@@ -62,7 +65,7 @@ function resize() { // the canvas fills its part of the window, in the pixels of
 }
 
 function paint() { // the canvas has the color of the page
-  const { r, g, b } = $.color.parse(css("--back"));
+  const { r, g, b } = rgb(css("--back"));
   scene().background = vec(r, g, b).divide(255);
   shine();
   paintShapes();
@@ -71,11 +74,6 @@ function paint() { // the canvas has the color of the page
 // The canvas, in words; at most once a second, or a screen reader would never end.
 function describe() {
   one(".canvas").ariaLabel = `${document.title}: ${state.summary}`;
-}
-
-// A new element: a screen reader also says a sentence again.
-function tell() {
-  one(".summary").replaceChildren(make("span", {}, state.summary));
 }
 
 // The driver was restarted, or the machine slept: all that the graphics card had is gone.

@@ -1,4 +1,7 @@
-// The controls: made and filled as the program declares them (declarations.py); buttons and keys.
+// The controls: made and filled as the program declares them (declarations.py), and the buttons.
+import { find, make, show, state } from "page";
+import { send, sliders } from "program";
+
 const makers = {
   Switch({ name, label }) {
     const box = make("input", { type: "checkbox", name });
@@ -20,7 +23,7 @@ const makers = {
 };
 
 const fillers = {
-  Switch(box, control, value) {
+  Switch(box, _, value) {
     box.checked = value;
   },
   Slider(slider, { min, max, text }, value) {
@@ -37,7 +40,10 @@ const fillers = {
   },
 };
 
-shows.controls = controls => {
+for (const { dataset } of find("template[data-control]")) {
+  show(dataset.control, () => showControl(dataset.control));
+}
+show("controls", controls => {
   for (const place of find("template[data-control]")) {
     const name = place.dataset.control;
     const control = controls[name];
@@ -48,7 +54,7 @@ shows.controls = controls => {
   for (const name in controls) showControl(name);
   for (const button of find("[data-do=lifted]"))
     button.disabled = +button.dataset.value > controls.lifted.max;
-};
+});
 
 function showControl(name) {
   const control = state.controls?.[name];
@@ -61,102 +67,17 @@ function showControl(name) {
 }
 
 addEventListener("click", ({ target }) => {
-  const button = target.closest?.("button");
-  const { do: command, value } = button?.dataset ?? {};
+  const { do: command, value } = target.closest?.("button")?.dataset ?? {};
   if (command) send(command, ...value === undefined ? [] : [JSON.parse(value)]);
-  if (button?.matches(".present")) present();
 });
 addEventListener("input", ({ target }) => {
-  if (target.type === "range") sliderCommands.set(target.name, [target.name, +target.value]);
+  if (target.type === "range") sliders.set(target.name, +target.value);
 });
 addEventListener("change", ({ target }) => {
   if (!target.name || target.type === "range") return;
   send(target.name, target.type === "checkbox" ? target.checked : target.value);
 });
 
-const keys = {
-  " ": () => send("pause"),
-  ArrowRight: () => send("step"),
-  r: () => send("restart"),
-  n: () => send("next"),
-  f: () => present(),
-  v: () => resetView(),
-  h: () => send("slow_hits", !state["slow_hits"]),
-  t: () => tell(),
-  "?": () => one("#keys").togglePopover(),
-};
-
-// Return what a key means: what you type or, on an alphabet without such letters, the key's place.
-function keyOf({ key, code }) {
-  if (key.length > 1) return key;
-  const isForeign = key > "~";
-  return (isForeign ? code.replace(/^(Key|Digit)/, "") : key).toLowerCase();
-}
-
-// Return the digit of a key: as typed, or that of its place, where a digit needs Shift.
-function digitOf(key, code) {
-  if (/^[1-9]$/.test(key)) return +key;
-  return +(code.match(/^Digit([1-9])$/)?.[1] ?? 0);
-}
-
-addEventListener("keydown", event => {
-  const isPresenting = document.documentElement.classList.contains("presenting");
-  if (event.key === "Escape" && isPresenting) { // without full screen
-    present();
-    return;
-  }
-  const isShortcut = event.metaKey || event.ctrlKey || event.altKey;
-  const isHeld = event.repeat && event.key !== "ArrowRight";
-  const key = keyOf(event);
-  const isLetter = key.length === 1 && key !== " "; // a control needs the other keys itself
-  const isForUs = event.target === document.body || (isLetter && event.target.type !== "text");
-  if (isShortcut || isHeld || !isForUs) return;
-  const digit = digitOf(key, event.code);
-  const isAsking = state.question?.asking; // a stray digit must not end the question
-  const answer = ["a", "b", "c", "d", "e"].indexOf(key);
-  if (key in keys) keys[key]();
-  else if (digit && !isAsking && state.controls) // a saved run has none
-    send("lifted", Math.min(digit, state.controls.lifted.max));
-  else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
-  else return;
-  event.preventDefault(); // no key scrolls the page
+for (const fold of find(".fold")) fold.addEventListener("toggle", () => {
+  if (fold.open) fold.scrollIntoView({ block: "nearest" });
 });
-
-// A control that you reach with the Tab key keeps the keys; one that you click does not.
-let byMouse = false;
-let pressed; // the control that you have clicked last
-let place; // where it was then; nothing once the mouse has left it
-let isStray = false;
-
-const isAt = ({ left, right, top, bottom }, { clientX, clientY }) =>
-  left <= clientX && clientX <= right && top <= clientY && clientY <= bottom;
-
-// The second half of a slow double click can meet another control, which has come below the mouse
-// since the first half: this click does nothing.
-addEventListener("pointerdown", event => {
-  const control = event.target.closest?.("label, button, summary, select");
-  const isAgain = byMouse && place && isAt(place, event);
-  isStray = isAgain && control?.textContent !== pressed.textContent;
-  byMouse = true;
-  pressed = control;
-  place = control?.getBoundingClientRect();
-}, true);
-addEventListener("pointermove", event => {
-  if (place && !isAt(place, event)) place = null;
-}, true);
-addEventListener("keydown", () => byMouse = false, true);
-addEventListener("click", event => {
-  if (!byMouse || !isStray) return;
-  event.preventDefault();
-  event.stopPropagation();
-}, true);
-addEventListener("click", ({ target }) => { // a click on a menu only opens it
-  if (target.tagName !== "SELECT") giveKeysBack(target);
-});
-addEventListener("change", ({ target }) => {
-  if (target.tagName === "SELECT") giveKeysBack(target);
-});
-
-function giveKeysBack(target) {
-  if (byMouse && target.type !== "text") document.activeElement.blur();
-}

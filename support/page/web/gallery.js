@@ -1,15 +1,21 @@
 // The cradles that you can choose: a small drawn picture of each, as it is before its release.
+import { find, make, one, show, state } from "page";
+
 const SVG = "http://www.w3.org/2000/svg";
 const CORD = 30; // of the whole pendulum; the lengths are those of the drawing
 const SPACING = 9;
 const RADIUS = 4.4; // of the lightest bob
 const LARGEST_BOB = 1.6; // times RADIUS: the heaviest bob
 
-shows.pictures = pictures => {
+show("pictures", pictures => {
   one(".gallery").replaceChildren(...Object.entries(pictures).map(makeTile));
   markTile();
-};
-shows.experiment = shows.changed = markTile;
+});
+show("experiment", markTile);
+show("changed", markTile);
+show("mistakes", mistakes => {
+  one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
+});
 
 function makeTile([name, pendula]) {
   const tile = make("button", { title: name }, drawCradle(pendula), make("span", {}, name));

@@ -1,11 +1,15 @@
 // The graph of the state's rows: below the cradle; in a tall window, in the panel.
+import { dark, legible } from "colors";
+import { plot } from "glow";
+import { css, one, show, state, update } from "page";
+
 const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in windows.css
 const ENTRY = 44; // pixels: the width of a number in the legend
 
-shows.curves = drawGraph;
+show("curves", drawGraph);
 new ResizeObserver(drawGraph).observe(one(".plot"));
 dark.addEventListener("change", drawGraph);
-dark.addEventListener("change", () => shows.bars(state.bars)); // their colors are legible(...)
+dark.addEventListener("change", () => update("bars")); // their colors are legible(...)
 tall.addEventListener("change", placeGraph);
 placeGraph();
 
@@ -14,27 +18,27 @@ function placeGraph() {
   else one(".panel").after(one(".graph"));
 }
 
-function drawGraph() {
+export function drawGraph() {
   const { x, y, curves, rows, scales, from, to, bottom, top } = state.curves ?? { curves: [] };
-  const place = $(".plot");
+  const place = one(".plot");
   one(".graph").classList.toggle("none", !curves.length);
   one(".save-graph").disabled = !curves.length;
   one(".x").textContent = x ?? "";
   one(".y").textContent = y ?? "";
   // flot draws nothing that is hidden.
-  if (!curves.length || !rows.length || !place.width() || !place.height()) return;
+  if (!curves.length || !rows.length || !place.clientWidth || !place.clientHeight) return;
   const data = curves.map(({ label, color }, i) => ({
     label,
     color: legible(color),
     data: rows.map(row => [scales[0] * row[0], scales[1] * row[i + 1]]),
   }));
   const line = css("--line");
-  $.plot(place, data, {
+  plot(place, data, {
     series: { shadowSize: 0 },
     xaxis: { min: from, max: to, tickFormatter },
     yaxis: { min: bottom, max: top, labelWidth: 44 },
     legend: {
-      show: curves.length * ENTRY < place.width(),
+      show: curves.length * ENTRY < place.clientWidth,
       noColumns: curves.length,
       position: "ne",
       margin: [0, -24],
@@ -53,18 +57,6 @@ function drawGraph() {
 
 // The name of the axis takes the place of its last number.
 function tickFormatter(value, { min, max }) {
-  const pixels = (max - value) / (max - min) * $(".plot").width();
+  const pixels = (max - value) / (max - min) * one(".plot").clientWidth;
   return pixels < 80 ? "" : Number(value.toPrecision(6));
-}
-
-// A curve has the color of its bob. If this can hardly be seen on the page, some of the page's ink
-// is mixed in.
-function legible(color) {
-  const isPale = Math.abs(lightness(color) - lightness(css("--paper"))) < 0.25;
-  return isPale ? `color-mix(in srgb, ${color} 40%, ${css("--ink")})` : color;
-}
-
-function lightness(color) {
-  const { r, g, b } = $.color.parse(color);
-  return (0.3 * r + 0.59 * g + 0.11 * b) / 255;
 }

@@ -1,14 +1,31 @@
 // The fold "Save and compare": the setup of the cradle as text or as a file, the run, the numbers
 // of the graph, and ghosts.
-one(".save-setup").onclick = () => save("my_cradle.txt", asFile(state.setup));
+import { make, one, state } from "page";
+import { send } from "program";
+
+one(".save-setup").onclick = () => save("my_cradle.txt", new Blob([state.setup]));
 one(".save-graph").onclick = () => {
   const { names, rows } = state.curves;
-  save("graph.csv", asFile([names, ...rows].join("\n"))); // a row as text has commas
+  save("graph.csv", new Blob([[names, ...rows].join("\n")])); // a row as text has commas
 };
-one(".save-run").onclick = () => save(`${state.experiment}.html`, `run.html${location.search}`);
+one(".save-run").onclick = async ({ target }) => {
+  const message = one(".unsaved");
+  message.textContent = "";
+  target.disabled = true;
+  try {
+    const name = `${state.experiment}.html`;
+    const answer = await fetch(`run.html${location.search}`);
+    if (!answer.ok) throw new Error(`it answers ${answer.status}`);
+    save(name, await answer.blob());
+  } catch ({ message: why }) {
+    message.textContent = `The program did not send the run, so it is not saved (${why}).`;
+  }
+  target.disabled = false;
+};
 
-const asFile = text => URL.createObjectURL(new Blob([text]));
-const save = (download, href) => make("a", { download, href }).click();
+function save(download, content) {
+  make("a", { download, href: URL.createObjectURL(content) }).click();
+}
 
 // The program refuses a large file.
 one("#ghosts").addEventListener("change", async ({ target }) => {

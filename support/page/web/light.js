@@ -1,5 +1,8 @@
 // The light on the page: how pale the shades are, how bobs stand out from the page, and their
 // shadows on the base.
+import { dark } from "colors";
+import { bobs, cylinder, isSphere, kindOf, objects, scene, textures, vec } from "glow";
+import { state } from "page";
 
 // On a pale page, the edges of bobs must be dark, on a dark page light; their middle is bright.
 const PALE = { ambient: 0.26, lamps: [0.9, 0.2] };
@@ -14,17 +17,17 @@ const paints = new Map(); // of a shape: its color in the program, and that on t
 const shadows = [];
 
 // With each message: in the same picture as the bobs.
-function light() {
+export function light() {
   paintShapes();
   if (shadows.length) castShadows();
 }
 
 // The first picture has no shadows: so it comes sooner.
-function endPicture() {
+export function endPicture() {
   if (!shadows.length) castShadows();
 }
 
-function shine() {
+export function shine() {
   const { ambient, lamps } = dark.matches ? DARK : PALE;
   scene().ambient = grey(ambient);
   lamps.forEach((brightness, i) => scene().lights[i].color = grey(brightness));
@@ -33,8 +36,8 @@ function shine() {
 // Bobs get a color that can be seen on the page. What cannot be picked looks transparent: ghosts,
 // and the arrows of a hit, which fade. VPython's own transparency would distort the whole picture:
 // it draws it in 640 x 400 pixels, and stretches it.
-function paintShapes() {
-  for (const shape of glowObjs) {
+export function paintShapes() {
+  for (const shape of objects) {
     if (!shape?.visible || !(isSphere(shape) || shape.pickable === false)) continue;
     const paint = paints.get(shape);
     const ownColor = paint?.pageColor.equals(shape.color) ? paint.ownColor : vec(shape.color);
@@ -44,9 +47,9 @@ function paintShapes() {
   }
 }
 
-function onPage({ pickable, constructor }, color) {
+function onPage(shape, color) {
   const parts = { sphere: GHOSTLY.bob, cylinder: GHOSTLY.cord, arrow: state.view.fade };
-  if (pickable === false) return mixed(scene().background, color, parts[constructor.name]);
+  if (shape.pickable === false) return mixed(scene().background, color, parts[kindOf(shape)]);
   const missing = Math.max(0, DARKEST - luma(color));
   return dark.matches ? mixed(color, grey(1), missing) : color;
 }

@@ -1,8 +1,21 @@
 // The line to the program: a websocket. It brings the state and VPython's drawing, and takes
 // commands. When it is cut, the page connects again.
+import "controls";
+import "gallery";
+import "keep";
+import "keys";
+import "questions";
+import "sound";
+import "table";
+import { showPicture } from "canvas";
+import { fill, notice, one, remember, show, state, update } from "page";
+import { send, setLine, sliders } from "program";
+
 const SILENT_LOOKS = 4; // looks without a sign of life, after which the page says so
 const LOST_LOOKS = 10; // such looks, after which it connects again
 const FIRST_LOOKS = 60; // such looks before the first message
+const LATEST = 3000; // ms after which a command is too late
+const HOLDING = ["grab", "drag", "let_go"]; // a bob: late, they would be wrong
 
 // Relative to the page, whatever stands before it.
 const address = new URL(`ws${location.search}`, location.href);
@@ -20,31 +33,42 @@ let retry; // the timer of the next try
 let delay = 0; // ms until it
 let silence = 0; // looks without a sign of life
 let isHeard = true;
-let isDone = isCopy; // whether the page wants no line any more
+let isReached = true; // whether the program has answered a request since it was heard last
+let isDone = document.documentElement.matches(".copy"); // whether the page wants no line any more
+let waiting = []; // commands that were given since then, and when (ms)
 let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program
-const sliderCommands = new Map(); // the last command of each slider that you move
 
 const isOpen = () => socket?.readyState === WebSocket.OPEN;
 
-function send(...command) {
-  // A late drag would be wrong, but a bob that is let go must not stay in the air.
-  const isAllowed = isHeard || command[0] === "let_go";
-  if (isOpen() && isAllowed) socket.send(JSON.stringify(command));
-}
-
-addEventListener("DOMContentLoaded", () => { // all scripts are there
-  connect();
-  setInterval(look, 1000);
-  requestAnimationFrame(countPictures);
+setLine({ send: sendOrKeep, isOpen });
+show("ended", message => {
+  if (message !== null) finish("ended");
 });
+connect();
+setInterval(look, 1000);
+requestAnimationFrame(countPictures);
+
+// Return whether the program gets the command, now or in a moment.
+function sendOrKeep(command) {
+  const isHolding = HOLDING.includes(command[0]);
+  // A bob that is let go must not stay in the air.
+  if (isOpen() && (isHeard || command[0] === "let_go")) {
+    socket.send(JSON.stringify(command));
+    return true;
+  }
+  // While the page says that the program does not answer, nothing is done later.
+  const isKept = !isHolding && (isOpen() || !one(".silence").firstChild);
+  if (isKept) waiting.push({ command, time: Date.now() });
+  return isKept;
+}
 
 function connect() { // the program sends what is later than the last message
   if (isDone) return;
   clearTimeout(retry);
   socket?.close();
-  address.searchParams.set("has", has);
+  address.searchParams.set("has", `${has}`);
   const line = new WebSocket(address);
   socket = line;
   line.onmessage = event => {
@@ -59,17 +83,21 @@ function lose() {
   if (isDone) return;
   isHeard = false;
   silence = 0;
-  sliderCommands.clear();
+  sliders.clear();
   clearTimeout(retry);
   retry = setTimeout(connect, delay);
   delay = Math.min(delay + 1000, 5000);
   explain();
 }
 
-async function explain() { // why the line is cut; a proxy may answer in the program's place
+// Say why the line is cut; a proxy may answer in the program's place.
+async function explain() {
   const answer = await fetch(`alive${location.search}`).then(answer => answer.text(), () => "");
   if (answer.includes("ends with a key")) finish("ended"); // another start has another key
-  else if (answer === "alive" && !isHeard) fill(".silence", "no-websocket");
+  if (isHeard) return;
+  const isAlive = answer === "alive";
+  if (isAlive && isReached) fill(".silence", "no-websocket"); // and yet the last try has failed
+  isReached = isAlive;
 }
 
 function look() { // each second, but seldom in a tab that nobody sees: so it counts looks, not time
@@ -92,8 +120,12 @@ function hear() {
   delay = 0;
   if (isHeard) return;
   isHeard = true;
+  isReached = false;
   one(".silence").replaceChildren();
-  for (const name in state)
+  for (const { command, time } of waiting)
+    if (Date.now() - time < LATEST) sendOrKeep(command);
+  waiting = [];
+  for (const name of /** @type {import("page").Value[]} */ (Object.keys(state)))
     if (name !== "sound") update(name); // a control may show a value that was not sent
 }
 
@@ -110,12 +142,12 @@ function receive(data) {
 // quicker than many.
 function countPictures(now) {
   if (unreported > seen) seen++;
-  const isDue = seen > 2 || ((seen || sliderCommands.size) && now > nextWord);
+  const isDue = seen > 2 || ((seen || sliders.size) && now > nextWord);
   if (isOpen() && isDue) {
     socket.send("seen ".repeat(seen));
     // Only the last value of a slider: most of them restart the cradle.
-    for (const command of sliderCommands.values()) send(...command);
-    sliderCommands.clear();
+    for (const [name, value] of sliders) send(name, value);
+    sliders.clear();
     unreported -= seen;
     seen = 0;
     nextWord = now + 45;

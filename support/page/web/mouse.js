@@ -1,29 +1,22 @@
 // The mouse and fingers on the canvas: they drag a bob, or turn the camera.
-const coordinates = ({ x, y, z }) => [x, y, z];
+import { bobs, coordinates, mouseAt, scene, useDisplaysPixels } from "glow";
+import { state } from "page";
+import { send } from "program";
 
-function listen() {
-  const { mouse } = scene();
-  const update = mouse.__update;
-  // The canvas has the display's own pixels. VPython takes the mouse's, which are the page's.
-  mouse.__update = function (event) {
-    const { left, top } = $(scene().__canvas_element).offset();
-    const pageX = left + (event.pageX - left) * devicePixelRatio;
-    const pageY = top + (event.pageY - top) * devicePixelRatio;
-    update.call(this, { ...event, type: event.type, pageX, pageY });
-  };
-  const ray = ({ pos }) => [pos, mouse.ray].map(coordinates);
+export function listen() {
+  useDisplaysPixels();
+  const ray = ({ pos }) => [pos, scene().mouse.ray].map(coordinates);
   scene().bind("mousedown", event => send("grab", ...ray(event)));
   scene().bind("mousemove", event => send("drag", ...ray(event)));
   scene().bind("mouseup", letGo);
 }
 const letGo = () => send("let_go");
 
-const isCanvas = target => home && target.matches(".canvas canvas");
+const isCanvas = target => target.matches(".canvas canvas");
 
-function isOnBob({ pageX, pageY }) { // as bob_at in dragging.py finds it
-  const { mouse } = scene();
-  mouse.__update({ pageX, pageY });
-  const distance = bob => bob.pos.sub(mouse.pos).cross(mouse.ray).mag;
+function isOnBob(event) { // as bob_at in dragging.py finds it
+  const { pos, ray } = mouseAt(event);
+  const distance = bob => bob.pos.sub(pos).cross(ray).mag;
   return bobs().some(bob => distance(bob) < state.view.finger * bob.radius);
 }
 
@@ -50,5 +43,5 @@ addEventListener("touchstart", ({ target, touches }) => {
 }, { capture: true, passive: true });
 for (const type of ["touchend", "touchcancel"])
   addEventListener(type, ({ touches }) => {
-    if (home && !touches.length) setTimeout(letTurn, 0, true);
+    if (scene() && !touches.length) setTimeout(letTurn, 0, true);
   }, { passive: true });

@@ -1,7 +1,10 @@
 // The question of an experiment: its answers, the reply, what happened; and its sheet on paper.
+import { find, make, one, show } from "page";
+import { send } from "program";
+
 let shown; // the question of now, as text, but for the hands while they are counted
 
-shows.question = question => {
+show("question", question => {
   const isCounting = question?.asking;
   const text = JSON.stringify(isCounting ? { ...question, votes: [] } : question);
   if (text !== shown) {
@@ -10,7 +13,7 @@ shows.question = question => {
   }
   shown = text;
   if (isCounting) question.votes.forEach(showHands); // in their buttons, which keep the keys
-};
+});
 
 const LETTERS = "ABCDE";
 const paragraph = (...parts) => make("p", {}, ...parts);
@@ -18,8 +21,9 @@ const strong = text => make("strong", {}, text);
 const tableRow = cells => make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
 const outcome = ({ title, why }) => paragraph(strong(`${title} `), why);
 
-function button(text, className, ...command) {
-  return make("button", { className, onclick: () => send(...command) }, text);
+/** @param {import("program").Command} command */
+function button(text, className, command, ...values) {
+  return make("button", { className, onclick: () => send(command, ...values) }, text);
 }
 
 function makeQuestion({ key, question, answers, votes, asking, reply, happened }) {

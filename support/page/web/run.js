@@ -1,12 +1,19 @@
 // A recorded run, in place of the line to the program: it plays the pictures in this file.
 // All values in a picture are absolute, and a whole picture has all. So a moment is the last whole
 // picture and all later ones up to it.
+import "places"; // first: the other modules look for elements there
+import "controls";
+import "questions";
+import { showPicture } from "canvas";
+import { isShape, objects, takeImagesFrom } from "glow";
+import { keys } from "keys";
+import { css, find, make, one, show, state, update } from "page";
+import { setLine, sliders } from "program";
+
 const LONGEST_STEP = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
 const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
 const files = JSON.parse(one(".textures").textContent); // of the textures, by their names
-const sliderCommands = new Map(); // the place of the slider
-const isOpen = () => true;
 const slider = one(".moment");
 
 let pictures = [];
@@ -15,14 +22,27 @@ let time = 0; // s, of the film
 let lastDrawn = performance.now(); // ms
 let isRunning = false;
 
-addEventListener("DOMContentLoaded", load); // all scripts are there
+const commands = {
+  pause() {
+    if (isRunning) jump(upTo(current));
+    else if (current === pictures.length - 1) jump(0);
+    setRunning(!isRunning);
+  },
+  step: () => isRunning || jump(Math.max(current, from(current + 1))),
+  restart: () => jump(0),
+};
+keys.ArrowLeft = () => isRunning || jump(upTo(current - 1));
+setLine({ send: ([name]) => commands[name]?.(), isOpen: () => true });
+show("ended", message => one("[data-text=error]").textContent = message ?? "");
+takeImagesFrom(makeTexture);
+load();
 
 async function load() {
-  keys.ArrowLeft = () => send("back");
-  isOnBob = () => false; // nobody can drag one: a finger on it turns the camera
   try {
     if (!css("--back")) throw new Error("its styles are missing");
     pictures = await unpack(one(".run").textContent);
+    for (const { state } of pictures)
+      if (state.view) state.view.finger = 0; // nobody drags a bob: a finger on it turns the camera
     jump(0);
   } catch ({ message }) { // the browser is too old, or a site forbids a part of the file
     const advice = "Open the file in another browser, or from your disk.";
@@ -46,13 +66,13 @@ function contentOf(letters) {
   return new Blob([Uint8Array.from(atob(letters), letter => letter.charCodeAt(0))]);
 }
 
-// VPython takes a texture from an image. A site may forbid images that are a part of the page, but not
-// what the page draws: so VPython gets a canvas with the picture.
-window.Image = function () {
+// A site may forbid images that are a part of the page, but not what the page draws: so a texture
+// is a canvas with the picture.
+function makeTexture() {
   const canvas = make("canvas");
   setTimeout(drawTexture, 0, canvas); // VPython first sets its src and onload
   return canvas;
-};
+}
 
 async function drawTexture(canvas) {
   const picture = await createImageBitmap(contentOf(files[canvas.src]));
@@ -61,25 +81,13 @@ async function drawTexture(canvas) {
   canvas.onload();
 }
 
-const commands = {
-  pause() {
-    if (isRunning) jump(upTo(current));
-    else if (current === pictures.length - 1) jump(0);
-    setRunning(!isRunning);
-  },
-  step: () => isRunning || jump(Math.max(current, from(current + 1))),
-  back: () => isRunning || jump(upTo(current - 1)),
-  restart: () => jump(0),
-};
-
 // A page gets its numbers ten times a second: only a picture with them is right in all.
-const upTo = last => pictures.findLastIndex(({ state }, i) => i <= last && state.motion);
-const from = first => pictures.findIndex(({ state }, i) => i >= first && state.motion);
+function upTo(last) {
+  return pictures.findLastIndex(({ state }, i) => i <= last && state.motion);
+}
 
-shows.ended = message => one("[data-text=error]").textContent = message ?? "";
-
-function send(name) {
-  commands[name]?.();
+function from(first) {
+  return pictures.findIndex(({ state }, i) => i >= first && state.motion);
 }
 
 function setRunning(isOn) {
@@ -90,15 +98,15 @@ function setRunning(isOn) {
 }
 
 function play(now) {
-  if (sliderCommands.size) {
-    const [, place] = sliderCommands.get("moment");
-    sliderCommands.clear();
+  const place = sliders.get("moment");
+  sliders.clear();
+  if (place !== undefined) {
     setRunning(false);
     jump(upTo(pictures.findLastIndex(picture => picture.time <= place)));
   }
   if (isRunning) {
     time += Math.min((now - lastDrawn) / 1000, LONGEST_STEP);
-    show(pictures.findLastIndex(picture => picture.time <= time));
+    go(pictures.findLastIndex(picture => picture.time <= time));
     if (current === pictures.length - 1) setRunning(false);
   }
   lastDrawn = now;
@@ -106,11 +114,12 @@ function play(now) {
 }
 
 function jump(number) {
-  show(Math.max(number, 0));
+  go(Math.max(number, 0));
   time = pictures[current].time;
 }
 
-function show(number) {
+// Go to the picture with this number.
+function go(number) {
   if (number === current) return;
   let first = pictures.findLastIndex((picture, i) => picture.whole && i <= number);
   if (number > current) first = Math.max(first, current + 1);
@@ -127,16 +136,14 @@ function show(number) {
   for (const answer of find(".questions button")) answer.disabled = true;
 }
 
-const isShape = object => object?.pickable !== undefined; // else it is the canvas, or a light
-
 // What was made later must not be seen; a whole picture shows again what is there.
 function hideAll() {
-  for (const shape of glowObjs.filter(isShape)) shape.visible = false;
+  for (const shape of objects.filter(isShape)) shape.visible = false;
 }
 
 // A shape that is there already gets the values with which it was made.
 function again({ cmd, idx, ...values }) {
-  const object = glowObjs[idx];
+  const object = objects[idx];
   if (!object) return [{ cmd, idx, ...values }]; // VPython's handler changes what it gets
   if (!isShape(object)) return [];
   const names = Object.keys(values).filter(name => !FIXED.includes(name));

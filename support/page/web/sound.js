@@ -1,5 +1,7 @@
 // The sound of the hits in this tab: a click for the fastest hit of each picture. It is off until
 // you tick the box Sound.
+import { one, show } from "page";
+
 const LOUDEST = 2; // m/s: a faster hit is not louder
 const RATE = 48000; // samples a second
 const wave = t => Math.sin(2 * Math.PI * 3700 * t) * Math.exp(-t / 0.006); // as short as steel's
@@ -18,11 +20,11 @@ function followBox() {
   audio?.[isOn ? "resume" : "suspend"]();
 }
 
-shows.sound = ({ speed }) => {
+show("sound", ({ speed }) => {
   if (audio?.state !== "running" || !speed) return;
   const source = new AudioBufferSourceNode(audio, { buffer: click });
   // The root: the ear hears slow hits, too, among fast ones.
   const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST));
   source.connect(new GainNode(audio, { gain })).connect(audio.destination);
   source.start();
-};
+});

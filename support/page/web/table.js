@@ -1,22 +1,28 @@
 // The table of the pendula: mass and e, which you can change, and the coordinates as they move.
+import { find, make, one, show, state } from "page";
+import { send } from "program";
+
 const [head, body] = find(".pendula > *");
 let cells = {}; // of the coordinates, by their names
 let editors = {}; // of mass and e, by "row,column"
 let shape;
 
-shows.keys = shows.table = shows.refused = () => {
+for (const name of /** @type {const} */ (["keys", "table", "refused"])) show(name, showTable);
+show("now", showNumbers);
+one(".programmers").addEventListener("toggle", showNumbers);
+
+function showTable() {
   const newShape = `${state.table.mass.length} ${state.keys}`;
   if (shape !== newShape) build();
   shape = newShape;
   for (const place in editors) showEditor(place, editors[place]);
-  shows.now(state.now);
-};
+  showNumbers();
+}
 
-shows.now = numbers => {
+function showNumbers() {
   if (!one(".programmers").open) return;
-  for (const name in cells) cells[name].textContent = numbers[name] ?? "";
-};
-one(".programmers").addEventListener("toggle", () => shows.now(state.now));
+  for (const name in cells) cells[name].textContent = state.now[name] ?? "";
+}
 
 function build() {
   cells = {};
@@ -43,8 +49,7 @@ function makeEditor(row, column) {
   const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel });
   const message = make("div", { className: "failed", role: "alert" });
   field.addEventListener("change", () => {
-    send("edit", row, column, field.value);
-    if (!isHeard) field.value = field.defaultValue; // it was not sent
+    if (!send("edit", row, column, field.value)) field.value = field.defaultValue;
   });
   editors[`${row},${column}`] = { row, column, field, message };
   return make("td", {}, field, message);

@@ -1,0 +1,74 @@
+// What the page says of the motion: in numbers, in a sentence, and in bars; the impacts, and a hit.
+import { legible } from "colors";
+import { find, make, one, show, state } from "page";
+
+show("running", running => {
+  one("[data-do=pause]").textContent = running ? "Pause" : "Run";
+  for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;
+});
+show("paused", isPaused => {
+  const sign = one(".paused");
+  if (isPaused && sign.hidden) tell(); // not again after a cut of the line
+  sign.hidden = !isPaused;
+});
+show("motion", motion => {
+  one(".readout").replaceChildren(...Object.entries(motion).map(readoutRow));
+});
+show("impacts", lines => one(".series").replaceChildren(...lines.map(impact)));
+show("bars", chart => {
+  const parts = chart ? [make("h2", {}, chart.title), ...chart.bars.map(makeBar)] : [];
+  one(".momenta").replaceChildren(...parts);
+});
+show("hit", hit => {
+  const place = one(".hit-part");
+  place.replaceChildren();
+  if (!hit) return;
+  place.append(make("strong", {}, hit.title));
+  place.append(...hit.lines.map(line => make("span", {}, line)));
+  place.append(make("small", {}, hit.caption));
+});
+
+// A new element: a screen reader also says a sentence again.
+export function tell() {
+  one(".summary").replaceChildren(make("span", {}, state.summary));
+}
+
+function readoutRow([name, text]) { // its second line is a caption
+  const [number, ...captions] = text.split("\n");
+  const cell = make("td", {}, `${number} `, ...captions.map(caption => make("small", {}, caption)));
+  return make("tr", { className: name }, make("th", { scope: "row" }, name), cell);
+}
+
+// A bar to the left or to the right of a line, which stands for 0.
+function makeBar({ name, text, color, part, zero }) {
+  const bar = make("i");
+  const width = 100 * Math.abs(part) * (1 - zero);
+  const left = 100 * zero - (part < 0 ? width : 0);
+  Object.assign(bar.style, { left: `${left}%`, width: `${width}%`, background: legible(color) });
+  const track = make("span", { className: "track" }, bar);
+  track.style.backgroundPosition = `${100 * zero}%`;
+  return make("div", {}, make("span", {}, name), track, make("output", {}, text));
+}
+
+// A line of the impacts breaks only between two words.
+function impact(line) {
+  const words = line.split(" ").flatMap(word => [make("span", {}, ...wordOrDots(word)), " "]);
+  return make("div", {}, ...words);
+}
+
+// A word; of a chain, 1-2-3, its numbers for a screen reader, and a dot in the color of each bob.
+// The dot has the bob's number, if another bob has the same color.
+function wordOrDots(word) {
+  const isChain = /^\d+(-|\.{3})/.test(word); // a long line may end after its first number
+  if (!isChain) return [word];
+  const numbers = make("span", { className: "unseen" }, word);
+  const dots = make("span", { className: "dots", title: word, ariaHidden: true });
+  word.split("-").forEach((number, place) => {
+    const color = state.colors[number - 1]; // undefined for what is no whole number
+    if (place) dots.append("-");
+    const isTwice = state.colors.indexOf(color) !== state.colors.lastIndexOf(color);
+    const dot = make("i", { style: `background: ${color}` }, isTwice ? number : "");
+    dots.append(color ? dot : "...");
+  });
+  return [numbers, dots];
+}
