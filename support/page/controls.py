@@ -1,8 +1,8 @@
 """The controls of the page, and the commands of its tabs.
 
-A control is declared once, in declarations.py. What follows from it: its value in the state, the
-values that its command takes, and its element. Where page.html has a place for it, controls.js
-makes a checkbox of a Switch, a slider of a Slider, and a menu of a Menu.
+A control is declared once, in declarations.py. All else follows: its description in the state, with
+its value; which values the command `set` may give it; and its element. In its place of page.html,
+controls.js makes a checkbox of a Switch, a slider of a Slider, and a menu of a Menu.
 """
 
 from collections.abc import Callable, Sequence
@@ -54,9 +54,10 @@ class Command:
 
 @dataclass
 class Control:
-    """A control: the name of its value and of its command, its label, and its value."""
+    """A control: its name, its place on the page, its label, and its value."""
 
     name: str
+    place: str  # as in data-place of page.html; the controls of a place stand in their order
     label: str
     get: Callable[[], Any]
     set: Callable[[Any], None]
@@ -68,16 +69,18 @@ class Control:
         raise NotImplementedError
 
     def takes(self, value: Any) -> bool:
-        """Return whether a command of a tab, which comes as JSON, can set this value now."""
+        """Return whether a tab can set this value, which comes as JSON, now."""
         return self.is_enabled() and self.allows(value)
 
     def description(self) -> dict[str, Any]:
-        """Return what the page needs to make and to fill the element, without the value."""
+        """Return what the page needs to make and to fill the element."""
         return {
             "kind": type(self).__name__,
+            "place": self.place,
             "label": self.label,
             "help": self.help,
             "enabled": self.is_enabled(),
+            "value": self.get(),
         }
 
 
@@ -125,15 +128,3 @@ class Menu(Control):
 
     def description(self) -> dict[str, Any]:
         return {**super().description(), "choices": list(self.choices())}
-
-
-def commands_of(controls: Sequence[Control]) -> dict[str, Command]:
-    """Return the command of each control by its name."""
-    return {control.name: Command(control.set, (control.takes,)) for control in controls}
-
-
-def state_of(controls: Sequence[Control]) -> dict[str, Any]:
-    """Return the value of each control by its name, and their descriptions as `controls`."""
-    state = {control.name: control.get() for control in controls}
-    state["controls"] = {control.name: control.description() for control in controls}
-    return state

@@ -1,9 +1,10 @@
 """The controls and commands of the page: each is declared here, once.
 
-page.html has a place for each control, by its name. State has their values.
+A control appears in its place of page.html by itself.
 """
 
 from collections.abc import Callable
+from typing import Any
 
 from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
@@ -45,6 +46,7 @@ def experiment_menu(chooser: Chooser, lesson: Lesson) -> Menu:
     """Return the control of what is chosen: your CSV, or an experiment."""
     return Menu(
         name="experiment",
+        place="gallery",
         label="Experiment",
         get=chooser.name,
         set=lesson.choose,
@@ -65,6 +67,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
 
     count = Slider(
         name="count",
+        place="settings",
         label="Bobs",
         get=lambda: len(cradle.pend_list),
         set=settings.set_count,
@@ -75,6 +78,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
     )
     lifted = Slider(
         name="lifted",
+        place="settings",
         label="Bobs lifted",
         get=settings.lifted,
         set=settings.set_lifted,
@@ -86,6 +90,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
     angles = [release_angle(cradle, settings, *angle) for angle in enumerate(cradle.angle_limits)]
     mass = Slider(
         name="mass",
+        place="settings",
         label="Bob 1: mass",
         get=lambda: cradle.values("mass")[0],
         set=lambda mass: settings.edit(0, "mass", f"{mass:g}"),
@@ -96,6 +101,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
     )
     e = Slider(
         name="e",
+        place="settings",
         label="Elasticity e",
         get=lambda: max(cradle.values("e")),
         set=settings.set_e,
@@ -108,6 +114,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
     )
     collision = Menu(
         name="collision",
+        place="settings",
         label="Collisions",
         get=settings.collision,
         set=settings.set_collision,
@@ -115,6 +122,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
     )
     separating = Switch(
         name="separating",
+        place="programmers",
         label="Separating bobs collide too",
         get=lambda: settings.next.separating,
         set=settings.set_separating,
@@ -130,6 +138,7 @@ def release_angle(cradle: Cradle, settings: CradleSettings, cord: int, name: str
     """Return the control of the release angle of this cord (0 upper, 1 lower)."""
     return Slider(
         name=name,
+        place="settings",
         label=name.replace("_", " ").capitalize(),
         get=lambda: settings.release_angle(cord),
         set=lambda degrees: settings.set_release_angle(cord, degrees),
@@ -150,12 +159,14 @@ def view_controls(
     """Return the controls of how the page shows the cradle; Reset all puts them back."""
     ask_first = Switch(
         name="ask_first",
+        place="shows",
         label="Predict first",
         get=lambda: questions.ask_first,
         set=lesson.set_ask_first,
     )
     speed = Slider(
         name="speed",
+        place="settings",
         label="Speed",
         get=lambda: round(playback.speed_now(), 2),
         set=playback.set_speed,
@@ -166,12 +177,14 @@ def view_controls(
     )
     slow = Switch(
         name="slow",
+        place="bar",
         label="Slow motion",
         get=lambda: playback.speed_now() <= SLOWLY,
         set=playback.slow_down,
     )
     arrows = Switch(
         name="arrows",
+        place="shows",
         label="Arrows",
         get=lambda: marks.has_arrows,
         set=marks.switch_arrows,
@@ -179,6 +192,7 @@ def view_controls(
     )
     measure = Switch(
         name="measure",
+        place="shows",
         label="Measure",
         get=lambda: marks.measures,
         set=marks.switch_measures,
@@ -186,6 +200,7 @@ def view_controls(
     )
     hits = Switch(
         name="slow_hits",
+        place="shows",
         label="Slow hits",
         get=lambda: slow_hits.is_on,
         set=slow_hits.switch,
@@ -193,6 +208,7 @@ def view_controls(
     )
     curves = Menu(
         name="graph",
+        place="graph",
         label="Graph",
         get=lambda: graph.chosen,
         set=graph.show,
@@ -201,6 +217,7 @@ def view_controls(
     )
     span = Menu(
         name="span",
+        place="graph",
         label="Time of the graph",
         get=lambda: graph.span,
         set=graph.show_span,
@@ -210,6 +227,7 @@ def view_controls(
 
 
 def commands(
+    set_control: Callable[[str, Any], None],
     playback: Playback,
     lesson: Lesson,
     questions: Questions,
@@ -219,8 +237,9 @@ def commands(
     let_go: Callable[[], None],
     reset: Callable[[], None],
 ) -> Commands:
-    """Return the commands that have no control with a value, by their names."""
+    """Return what each command does, by its name."""
     return {
+        "set": Command(set_control, (is_text, is_json)),
         "pause": Command(playback.pause),
         "step": Command(playback.do_step),
         "tick": Command(playback.do_one_tick),
@@ -237,6 +256,10 @@ def commands(
         "load_ghosts": Command(ghost_file.load, (is_text, is_file)),
         "remove_ghosts": Command(ghost_file.remove),
     }
+
+
+def is_json(value: object) -> bool:
+    return True  # the control looks at it
 
 
 def is_answer(value: object) -> bool:

@@ -1,44 +1,20 @@
-"""The names that the page and the program have in common; each is declared here, once.
+"""The names of commands and values, which the page and the program share: each is declared here.
 
-The page gets them as names.js. mypy finds a name here that is spelled in another way in a Python
-file, the type checker of JavaScript one in a script, and test_names.py one in page.html.
+The names of controls stand in declarations.py. The page gets these as names.js. mypy finds a name
+that a Python file spells in another way, the type checker of JavaScript one in a script, and
+test_names.py one in page.html.
 """
 
 import json
 from typing import Any, TypedDict
 
-from support.page.controls import Command, Menu, Slider, Switch
-
-
-class Controls(TypedDict, total=False):
-    """The controls of the page. Each kind of cradle lacks some.
-
-    A name is that of a control's value in the state, and that of its command, which sets the value.
-    """
-
-    experiment: Menu
-    ask_first: Switch
-    speed: Slider
-    count: Slider
-    lifted: Slider
-    release_angle: Slider
-    angle_theta: Slider
-    angle_phi: Slider
-    mass: Slider
-    e: Slider
-    collision: Menu
-    separating: Switch
-    slow: Switch
-    arrows: Switch
-    measure: Switch
-    slow_hits: Switch
-    graph: Menu
-    span: Menu
+from support.page.controls import Command
 
 
 class Commands(TypedDict):
-    """What else a tab can ask for."""
+    """What a tab can ask for."""
 
+    set: Command  # a control to a value
     pause: Command
     step: Command
     tick: Command
@@ -59,7 +35,7 @@ class Commands(TypedDict):
 class State(TypedDict, total=False):
     """What a tab shows besides VPython's objects; a message has those values that have changed."""
 
-    controls: dict[str, dict]  # their descriptions
+    controls: dict[str, dict[str, Any]]  # their descriptions, with their values
     # The words of the page
     title: str
     remark: str
@@ -107,8 +83,8 @@ class Texts(TypedDict):
     terminal: str  # that shows the cradle as text
 
 
-COMMANDS = [*Controls.__annotations__, *Commands.__annotations__]
-VALUES = [*Controls.__annotations__, *State.__annotations__]
+COMMANDS = [*Commands.__annotations__]
+VALUES = [*State.__annotations__]
 
 
 def names_as_module() -> str:

@@ -102,9 +102,9 @@ def pictures_for_player(pictures: Sequence[FilmPicture]) -> list[dict[str, Any]]
             last_curves = time
         else:
             state.pop("curves", None)
-        name = picture["state"].get("experiment", YOUR_CSV)
-        if is_whole and name != YOUR_CSV:
-            state["title"] = f"{state['title']}: {name}"
+        controls = picture["state"].get("controls") if is_whole else None
+        if controls and controls["experiment"]["value"] != YOUR_CSV:
+            state["title"] = f"{state['title']}: {controls['experiment']['value']}"
         if state.get("ended"):
             state["ended"] = QUOTED_PATH.sub(r"'\1'", state["ended"])
         for_player.append(

@@ -15,7 +15,7 @@ from support.files.valid_cradle import CradleCsv
 from support.page import declarations
 from support.page.bars import Bars
 from support.page.chooser import Chooser
-from support.page.controls import Command, commands_of, is_text, state_of
+from support.page.controls import Control, is_text
 from support.page.cradle_settings import CradleSettings
 from support.page.ghost_file import GhostFile
 from support.page.graph import Graph
@@ -98,13 +98,15 @@ class Viewer(Player):
         view_controls = declarations.view_controls(
             self.lesson, self.questions, self.playback, self.marks, self.slow_hits, self.graph
         )
-        self.controls = [
-            declarations.experiment_menu(self.chooser, self.lesson),
-            *declarations.cradle_controls(cradle, self.cradle_settings),
-            *view_controls,
-        ]
         self.at_first = [(control, control.get()) for control in view_controls]
-        commands = declarations.commands(
+        controls = [
+            declarations.experiment_menu(self.chooser, self.lesson),
+            *view_controls,
+            *declarations.cradle_controls(cradle, self.cradle_settings),
+        ]
+        self.controls: dict[str, Control] = {control.name: control for control in controls}
+        self.commands = declarations.commands(
+            self.set_control,
             self.playback,
             self.lesson,
             self.questions,
@@ -114,8 +116,6 @@ class Viewer(Player):
             self.let_go,
             self.reset,
         )
-        self.commands: dict[Any, Command] = {**commands_of(self.controls)}
-        self.commands.update(commands)  # type: ignore[arg-type]
 
     # --- frames --------------------------------------------------------------------------------
 
@@ -142,10 +142,16 @@ class Viewer(Player):
 
     def carry_out(self, name: Any, *values: Any) -> None:
         """Do what a command says; do nothing if there is none, or if it takes no such values."""
-        command = self.commands.get(name) if is_text(name) else None
+        command: Any = self.commands.get(name) if is_text(name) else None
         if command and command.takes(values):
             command.do(*values)
             self.next_refresh = 0.0
+
+    def set_control(self, name: str, value: Any) -> None:
+        """Set the control with this name to a value that it takes; else do nothing."""
+        control = self.controls.get(name)
+        if control and control.takes(value):
+            control.set(value)
 
     def leave_moved_cradle(self) -> None:
         """Leave the experiment, and the slow hits, when you hold a bob: it moves in another way."""
@@ -213,6 +219,7 @@ class Viewer(Player):
             "impacts": self.motion.impacts.lines(),
             "curves": self.graph.state(self.motion.start_energy),
             "tick_lines": self.one_tick.lines,
+            "controls": {name: control.description() for name, control in self.controls.items()},
         }
         for part in (
             self.chooser,
@@ -223,7 +230,7 @@ class Viewer(Player):
             self.questions,
         ):
             state |= part.state()
-        return {**state, **state_of(self.controls)}  # type: ignore[typeddict-item]
+        return state
 
     # --- a cradle ------------------------------------------------------------------------------
 

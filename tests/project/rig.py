@@ -59,8 +59,13 @@ class Rig:
         return self.now
 
     def take(self, state):
-        """Take a part of the state, or all, as JSON has it, which a browser reads without nan."""
+        """Take a part of the state, or all, as JSON has it, which a browser reads without nan.
+
+        And the value of each control by its name.
+        """
         self.state |= json.loads(json.dumps(state, allow_nan=False))
+        for name, control in self.state.get("controls", {}).items():
+            self.state[name] = control["value"]
 
     def wait(self, seconds=0.0):
         """Let this time (s) pass, frame by frame; the state is then that of this moment."""
@@ -106,7 +111,10 @@ class Rig:
         self.wait()
 
     def tell(self, command, *values):
-        """Give a command as a tab does, which the next frame carries out."""
+        """Give a command, or set a control, as a tab does; the next frame carries it out."""
+        if command in [*self.state.get("controls", {})]:
+            values = (command, *values)
+            command = "set"
         self.tabs.commands.put([command, *values])
 
     def mouse(self, command, point, direction=(0, 0, -1)):

@@ -10,17 +10,17 @@ from whole_cradles import FIVE_CSV
 # Put the settings back to those with which the page opens, pause, and restart the cradle.
 PUT_BACK = """() => {
     dispatchEvent(new Event("afterprint"));
-    send("experiment", state.controls.experiment.choices[0]);
+    set("experiment", state.controls.experiment.choices[0]);
     if (state.running || state.question?.asking) send("pause");
-    for (const name of ["ask_first", "slow_hits", "arrows", "separating"]) send(name, false);
-    for (const name of ["collision", "graph", "span"]) send(name, state.controls[name].choices[0]);
-    send("count", 5);
-    send("e", 1);
-    send("mass", 1);
+    for (const name of ["ask_first", "slow_hits", "arrows", "separating"]) set(name, false);
+    for (const name of ["collision", "graph", "span"]) set(name, state.controls[name].choices[0]);
+    set("count", 5);
+    set("e", 1);
+    set("mass", 1);
     send("edit", 1, "mass", "1.0");
-    send("speed", 1);
-    send("lifted", 1);
-    send("release_angle", 45);
+    set("speed", 1);
+    set("lifted", 1);
+    set("release_angle", 45);
     send("remove_ghosts");
     send("restart");
     if (one("#sound").checked) one("#sound").click();
@@ -31,14 +31,17 @@ PUT_BACK = """() => {
     resetView();
     glowObjs[0].visible = false;
 }"""
-IS_BACK = """() => !state.running && parseFloat(state.motion.t) === 0
-    && !state.arrows && !state.question && bobs().length === 5
-    && state.speed === 1 && state.lifted === 1 && state["release_angle"] === 45
-    && state.mass === 1 && state.e === 1"""
+IS_BACK = """() => {
+    const { arrows, speed, lifted, release_angle, mass, e } = state.controls;
+    return !state.running && parseFloat(state.motion.t) === 0
+        && !arrows.value && !state.question && bobs().length === 5
+        && speed.value === 1 && lifted.value === 1 && release_angle.value === 45
+        && mass.value === 1 && e.value === 1;
+}"""
 
 # Ask the question of the first experiment.
 ASK = """async () => {
-    send("ask_first", true);
+    set("ask_first", true);
     send("next");
     while (!state.question) await new Promise(requestAnimationFrame);
 }"""

@@ -167,7 +167,8 @@ def test_a_file_is_chosen_on_the_page_and_its_ghosts_are_removed(shared):
     shared.locator(".keep summary").click()
     choose("start,2,-20\nt,theta_5 (degrees)\n0,30\n99,30\n")
     pages.button(shared, "Remove a.csv").wait_for()
-    shared.wait_for_function("() => state['release_angle'] === 20 && state.motion['off by']")
+    shared.wait_for_function("() => state.controls.release_angle.value === 20")
+    shared.wait_for_function("() => state.motion['off by']")
     axle, _ = pages.axle(4)
     assert shared.evaluate(GHOSTS) == [pytest.approx(axle + R_PARAM / 2)]
     choose("t,theta_5\n0,red\n")

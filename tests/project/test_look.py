@@ -299,7 +299,7 @@ def test_the_setup_and_the_numbers_of_the_graph_are_selected_and_saved(shared):
     shared.locator(".keep summary").click()
     pause(shared)
     menu(shared, "Graph").select_option("Phase 5")
-    shared.wait_for_function("() => state.graph === 'Phase 5'")
+    shared.wait_for_function("() => state.controls.graph.value === 'Phase 5'")
     assert violations(shared) == {}
     for name in ("same_cradle", "setup"):
         shared.locator(f"pre[data-text={name}]").click()

@@ -11,34 +11,48 @@ from support.page.web_files import PAGE, WEB
 HTML = PAGE.read_text(encoding="utf-8")
 SCRIPTS = {path.stem: path.read_text(encoding="utf-8") for path in WEB.glob("*.js")}
 # Which names an attribute of page.html, data-..., can have.
-NAMES = {
-    "do": COMMANDS,
-    "control": [*COMMANDS, *VALUES],
-    "text": [*VALUES, *Texts.__annotations__],
-}
+NAMES = {"do": COMMANDS, "text": [*VALUES, *Texts.__annotations__]}
+
+
+def in_the_page(attribute):
+    """Return the names in these attributes of the page, data-..."""
+    return {*re.findall(rf'data-{attribute}="(\w+)"', HTML)}
+
+
+def in_scripts(pattern):
+    """Return the names that this pattern finds in the scripts."""
+    return {*re.findall(pattern, "\n".join(SCRIPTS.values()))}
 
 
 @pytest.mark.parametrize("attribute", NAMES)
 def test_each_name_in_the_page_is_declared(attribute):
-    names = re.findall(rf'data-{attribute}="(\w+)"', HTML)
+    names = in_the_page(attribute)
     assert names
-    assert {*names} <= {*NAMES[attribute]}
+    assert names <= {*NAMES[attribute]}
 
 
 def test_each_command_is_given_by_the_page():
-    assert [name for name in COMMANDS if not is_used(name, "do|control", '"{}"')] == []
+    """The type checker of the scripts finds a command that is not declared."""
+    assert {*COMMANDS} <= in_the_page("do") | in_scripts('"([a-z_]+)"')
 
 
 def test_each_value_is_shown_by_the_page():
-    in_a_script = r'show\("{0}"|state\.{0}\b|\["keys", .*"{0}"'
-    assert [name for name in VALUES if not is_used(name, "control|text", in_a_script)] == []
+    shown = in_the_page("text") | in_scripts(r'show\("(\w+)"') | in_scripts(r"state\.(\w+)")
+    assert {*VALUES} <= shown | in_scripts(r'\["(keys)", ')
 
 
-def is_used(name, attributes, in_a_script):
-    """Return whether a name stands in one of these attributes of the page, or in a script."""
-    in_the_page = re.search(rf'data-({attributes})="{name}"', HTML)
-    in_scripts = re.search(in_a_script.format(name), "\n".join(SCRIPTS.values()))
-    return bool(in_the_page or in_scripts)
+def test_each_control_that_the_page_knows_is_declared_and_each_has_its_place(rig):
+    """The gallery is the experiments' control."""
+    known = (
+        in_the_page("set")
+        | in_scripts(r"\bcontrols\??\.(\w+)")
+        | in_scripts(r'(?<!\.)\bset\("(\w+)"')
+    )
+    controls = rig.state["controls"]
+    assert known
+    assert known <= {*controls}
+    places = {control["place"] for name, control in controls.items() if name != "experiment"}
+    assert places == in_the_page("place")
 
 
 def imports(text):

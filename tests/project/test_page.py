@@ -246,7 +246,7 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
     button(shared, "Step").tap()
     shared.wait_for_function("() => parseFloat(state.motion.t) > 0")
     shared.get_by_label("Slow motion").tap()
-    wait_until(lambda: shared.evaluate("state.speed") == 0.1)
+    wait_until(lambda: shared.evaluate("state.controls.speed.value") == 0.1)
     button(shared, "Next experiment").tap()
     question.get_by_text("Three bobs come in, and two hang.").wait_for()
     button(shared, "End the presentation").tap()

@@ -112,7 +112,7 @@ def test_a_page_on_paper_has_cradle_numbers_and_graph_in_the_colors_of_the_light
     width = "[one('.plot canvas').clientWidth, Math.round(one('.plot').clientWidth)]"
     drawn, place = at_rest.evaluate(width)
     assert drawn == place == 643  # 17 cm
-    at_rest.evaluate("send('graph', 'no graph')")
+    at_rest.evaluate("set('graph', 'no graph')")
     at_rest.locator(".plot").wait_for(state="hidden")
     assert at_rest.evaluate(ON_PAPER)[:-1] == parts[:2]
 

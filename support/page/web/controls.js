@@ -1,38 +1,37 @@
 // The controls: made and filled as the program declares them (declarations.py), and the buttons.
-import { find, make, show, state } from "page";
-import { send, sliders } from "program";
+import { find, make, show } from "page";
+import { send, set, sliders } from "program";
 
 const makers = {
   Switch({ name, label }) {
     const box = make("input", { type: "checkbox", name });
-    return [make("label", {}, box, label)];
+    return make("label", {}, box, label);
   },
   Slider({ name, label, step }) {
-    const id = name;
-    return [make("div", { className: "slider" },
-      make("label", { htmlFor: id }, label),
-      make("input", { type: "range", id, name, step }),
-      make("output", { htmlFor: id }),
-    )];
+    return make("div", { className: "slider" },
+      make("label", { htmlFor: name }, label),
+      make("input", { type: "range", id: name, name, step }),
+      make("output", { htmlFor: name }),
+    );
   },
   Menu({ name, label }, isUnlabelled) {
-    if (isUnlabelled) return [make("select", { name, ariaLabel: label })];
+    if (isUnlabelled) return make("select", { name, ariaLabel: label });
     const menu = make("select", { id: name, name });
-    return [make("div", { className: "menu" }, make("label", { htmlFor: name }, label), menu)];
+    return make("div", { className: "menu" }, make("label", { htmlFor: name }, label), menu);
   },
 };
 
 const fillers = {
-  Switch(box, _, value) {
+  Switch(box, { value }) {
     box.checked = value;
   },
-  Slider(slider, { min, max, text }, value) {
+  Slider(slider, { min, max, text, value }) {
     Object.assign(slider, { min, max });
     if (!slider.matches(":active")) slider.value = value;
     slider.nextElementSibling.value = text;
     slider.setAttribute("aria-valuetext", text);
   },
-  Menu(menu, { choices }, value) {
+  Menu(menu, { choices, value }) {
     const old = [...menu.options].map(option => option.value);
     const isNew = JSON.stringify(old) !== JSON.stringify(choices);
     if (isNew) menu.replaceChildren(...choices.map(choice => new Option(choice, choice)));
@@ -40,42 +39,39 @@ const fillers = {
   },
 };
 
-for (const { dataset } of find("template[data-control]")) {
-  show(dataset.control, () => showControl(dataset.control));
-}
 show("controls", controls => {
-  for (const place of find("template[data-control]")) {
-    const name = place.dataset.control;
-    const control = controls[name];
-    if (!control) continue; // the other kind of cradle has it
+  for (const place of find("template[data-place]")) {
+    const names = Object.keys(controls).filter(name => controls[name].place === place.dataset.place);
     const isUnlabelled = place.matches(".unlabelled");
-    place.replaceWith(...makers[control.kind]({ name, ...control }, isUnlabelled));
+    const elements = names.map(name => {
+      return makers[controls[name].kind]({ name, ...controls[name] }, isUnlabelled);
+    });
+    place.replaceWith(...elements);
   }
-  for (const name in controls) showControl(name);
-  for (const button of find("[data-do=lifted]"))
+  for (const name in controls) fill(name, controls[name]);
+  for (const button of find("[data-set=lifted]"))
     button.disabled = +button.dataset.value > controls.lifted.max;
 });
 
-function showControl(name) {
-  const control = state.controls?.[name];
-  if (!control) return;
+function fill(name, control) {
   for (const element of find(`[name="${name}"]`)) {
     for (const part of [element, ...element.labels]) part.title = control.help;
     element.disabled = !control.enabled;
-    fillers[control.kind](element, control, state[name]);
+    fillers[control.kind](element, control);
   }
 }
 
 addEventListener("click", ({ target }) => {
-  const { do: command, value } = target.closest?.("button")?.dataset ?? {};
-  if (command) send(command, ...value === undefined ? [] : [JSON.parse(value)]);
+  const { do: command, set: control, value } = target.closest?.("button")?.dataset ?? {};
+  if (command) send(command);
+  if (control) set(control, JSON.parse(value));
 });
 addEventListener("input", ({ target }) => {
   if (target.type === "range") sliders.set(target.name, +target.value);
 });
 addEventListener("change", ({ target }) => {
   if (!target.name || target.type === "range") return;
-  send(target.name, target.type === "checkbox" ? target.checked : target.value);
+  set(target.name, target.type === "checkbox" ? target.checked : target.value);
 });
 
 for (const fold of find(".fold")) fold.addEventListener("toggle", () => {

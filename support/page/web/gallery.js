@@ -11,7 +11,7 @@ show("pictures", pictures => {
   one(".gallery").replaceChildren(...Object.entries(pictures).map(makeTile));
   markTile();
 });
-show("experiment", markTile);
+show("controls", markTile);
 show("changed", markTile);
 show("mistakes", mistakes => {
   one("ul.failed").replaceChildren(...mistakes.map(mistake => make("li", {}, mistake)));
@@ -19,14 +19,14 @@ show("mistakes", mistakes => {
 
 function makeTile([name, pendula]) {
   const tile = make("button", { title: name }, drawCradle(pendula), make("span", {}, name));
-  tile.dataset.do = "experiment";
+  tile.dataset.set = "experiment";
   tile.dataset.value = JSON.stringify(name);
   return tile;
 }
 
 function markTile() {
   for (const tile of find(".gallery button")) {
-    const isChosen = tile.title === state.experiment;
+    const isChosen = tile.title === state.controls?.experiment.value;
     if (isChosen && tile.ariaPressed !== "true") tile.scrollIntoView({ block: "nearest" });
     tile.ariaPressed = isChosen;
     tile.lastChild.textContent = isChosen && state.changed ? `${tile.title}, changed` : tile.title;

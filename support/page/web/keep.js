@@ -13,7 +13,7 @@ one(".save-run").onclick = async ({ target }) => {
   message.textContent = "";
   target.disabled = true;
   try {
-    const name = `${state.experiment}.html`;
+    const name = `${state.controls.experiment.value}.html`;
     const answer = await fetch(`run.html${location.search}`);
     if (!answer.ok) throw new Error(`it answers ${answer.status}`);
     save(name, await answer.blob());

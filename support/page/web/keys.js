@@ -2,7 +2,7 @@
 import { resetView } from "camera";
 import { one, state } from "page";
 import { present } from "present";
-import { send } from "program";
+import { send, set } from "program";
 import { tell } from "readout";
 
 /** @type {Record<string, () => void>} */
@@ -13,7 +13,7 @@ export const keys = {
   n: () => send("next"),
   f: () => present(),
   v: () => resetView(),
-  h: () => send("slow_hits", !state.slow_hits),
+  h: () => set("slow_hits", !state.controls.slow_hits.value),
   t: () => tell(),
   "?": () => one("#keys").togglePopover(),
 };
@@ -48,7 +48,7 @@ addEventListener("keydown", event => {
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
   if (key in keys) keys[key]();
   else if (digit && !isAsking && state.controls) // a saved run has none
-    send("lifted", Math.min(digit, state.controls.lifted.max));
+    set("lifted", Math.min(digit, state.controls.lifted.max));
   else if (answer >= 0 && state.question) send("answer", state.question.key, answer);
   else return;
   event.preventDefault(); // no key scrolls the page

@@ -9,7 +9,7 @@ import "sound";
 import "table";
 import { showPicture } from "canvas";
 import { fill, notice, one, remember, show, state, update } from "page";
-import { send, setLine, sliders } from "program";
+import { set, setLine, sliders } from "program";
 
 const SILENT_LOOKS = 4; // looks without a sign of life, after which the page says so
 const LOST_LOOKS = 10; // such looks, after which it connects again
@@ -146,7 +146,7 @@ function countPictures(now) {
   if (isOpen() && isDue) {
     socket.send("seen ".repeat(seen));
     // Only the last value of a slider: most of them restart the cradle.
-    for (const [name, value] of sliders) send(name, value);
+    for (const [name, value] of sliders) set(name, value);
     sliders.clear();
     unreported -= seen;
     seen = 0;

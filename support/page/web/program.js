@@ -24,3 +24,6 @@ export function send(command, ...values) {
   if (!COMMANDS.includes(command)) throw new Error(`There is no command ${command}.`);
   return line.send([command, ...values]);
 }
+
+// Set a control (declarations.py) to a value.
+export const set = (control, value) => send("set", control, value);
