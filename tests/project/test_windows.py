@@ -151,7 +151,7 @@ VISIBLE_LINES = """() => {
 def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
     chains = ["1-2-3", "1-2-3-4", "1-2-3-4-5", "1-2-3-4-5-6", "1-2-3-4-5-6-7"]
     lines = [f"t = 12.34 s  {chain}  {chain}  {chain}" for chain in chains]
-    at_rest.evaluate(SHOW_IMPACTS, [[], lines])
+    at_rest.evaluate(SHOW_IMPACTS, [at_rest.evaluate("state.colors"), lines])
     bottoms = at_rest.evaluate(VISIBLE_LINES)
     assert 2 <= len(bottoms) < 5
     assert max(bottoms) <= edges(at_rest, ".series")[3] + 1
