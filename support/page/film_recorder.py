@@ -8,9 +8,9 @@ from support.cradle.player import run
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
 from support.main_page import Loop
-from support.page.film import Film
-from support.page.run_file import run_as_html
-from support.page.tabs import Tabs
+from support.page.server.film import Film
+from support.page.server.run_file import run_as_html
+from support.page.server.tabs import Tabs
 from support.page.viewer import Start, Viewer
 from support.start.early import stop_on_signals
 from support.start.mistake import report_endless_loop, report_mistake

@@ -29,7 +29,7 @@ from support.start.output import refuse, say, while_it_is_read
 from support.start.preview import end_if_unwritten, what_there_is
 
 if TYPE_CHECKING:
-    from support.page.server import Server
+    from support.page.server.server import Server
     from support.page.viewer import Viewer
 
 GOODBYE = 10.0  # s that the page has to fetch the last message
@@ -135,8 +135,8 @@ def open_page(options: Namespace, command: str) -> "Server":
     """
     # Not earlier: it needs packages that come with VPython.
     from support.page.names import Texts
-    from support.page.port import listen
-    from support.page.server import Server
+    from support.page.server.port import listen
+    from support.page.server.server import Server
 
     texts: Texts = {"command": command, "terminal": command_line("src/text_cradle_run.py")}
     server = Server(listen(options.host, options.port), texts)

@@ -28,9 +28,9 @@ from support.page.readout import constants, Readout
 from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
+from support.page.server.tabs import Tabs
 from support.page.setup import Setup
 from support.page.sound import Sound
-from support.page.tabs import Tabs
 
 REFRESH = 0.1  # s between two changes of the state
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing

@@ -109,7 +109,7 @@ def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back
     The page shows what a file draws, and that once.
     """
     folder = program.parents[1]
-    site = folder / "support" / "page" / "attendance.py"
+    site = folder / "support" / "page" / "server" / "attendance.py"
     change(site, "CLOSED = 3.0", "CLOSED = 0.1")  # s: quickly
     session = SESSION.format(python=sys.executable, folder=folder)
     with running("-c", session, python="sh") as process:

@@ -21,7 +21,7 @@ from pages import new_page, open_cradle, wait_for_moves
 from programs import end, first_lines, needs_vpython, QUIETLY, running
 from web_client import BELOW
 
-from support.page.port import REFUSED
+from support.page.server.port import REFUSED
 
 pytestmark = [pytest.mark.browser, *needs_vpython]
 

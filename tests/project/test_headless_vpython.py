@@ -222,7 +222,7 @@ vpython.baseObj._view_constructed = True
 
 from pathlib import Path
 from rig import Rig
-from support.page.tabs import Tabs
+from support.page.server.tabs import Tabs
 
 csv, reloads, texts = Path(sys.argv[1]), int(sys.argv[2]), sys.argv[3:]
 rig, tabs, measured = Rig(csv, 45), Tabs(lambda function, *arguments: function(*arguments)), {}

@@ -6,7 +6,7 @@ from graphlib import TopologicalSorter
 import pytest
 
 from support.page.names import COMMANDS, Texts, VALUES
-from support.page.web_files import PAGE, WEB
+from support.page.server.web_files import PAGE, WEB
 
 HTML = PAGE.read_text(encoding="utf-8")
 SCRIPTS = {path.stem: path.read_text(encoding="utf-8") for path in WEB.glob("*.js")}

@@ -223,8 +223,8 @@ def start(monkeypatch, csv):
     server.listener.getsockname.return_value = ["127.0.0.1"]
     listen = Mock()
     module = SimpleNamespace(Server=lambda *_: server)
-    monkeypatch.setitem(sys.modules, "support.page.server", module)
-    monkeypatch.setattr("support.page.port.listen", listen)
+    monkeypatch.setitem(sys.modules, "support.page.server.server", module)
+    monkeypatch.setattr("support.page.server.port.listen", listen)
     run = Mock()
     monkeypatch.setattr("support.page.show_cradle.run", run)
     monkeypatch.setattr("support.page.show_cradle.end_on_signals", Mock())

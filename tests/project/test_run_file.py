@@ -19,10 +19,10 @@ from pages import bob_angles, new_page, pixel, press, readout, saved, wait_for_c
 from programs import PROGRAM, python, ROOT, with_vpython
 
 from support.files.data_file import is_run, require_replaceable
-from support.page.film import KEPT, LONGEST_PAUSE, WHOLE
 from support.page.film_recorder import NoTabs
-from support.page.run_file import CURVES
-from support.page.site import RUN_FILE, Site
+from support.page.server.film import KEPT, LONGEST_PAUSE, WHOLE
+from support.page.server.run_file import CURVES
+from support.page.server.site import RUN_FILE, Site
 
 OPTIONS = "--seconds", "1", "--e", "0.9"
 ADDRESS = "http://course.example/"
@@ -135,8 +135,8 @@ def test_the_server_goes_on_while_a_run_is_made(monkeypatch):
         asyncio.get_running_loop().call_soon(has_gone_on.set)
         return await site.response_to(RUN_FILE, {"key": [site.key]})
 
-    monkeypatch.setattr("support.page.run_file.run_as_html", make)
-    monkeypatch.setattr("support.page.site.keyless_files", dict)
+    monkeypatch.setattr("support.page.server.run_file.run_as_html", make)
+    monkeypatch.setattr("support.page.server.site.keyless_files", dict)
     site = Site({}, None, lambda: ["a picture"])
     assert asyncio.run(ask_for_a_run()).content == b"a run"
 

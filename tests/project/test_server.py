@@ -17,12 +17,12 @@ from students import put_files
 from web_client import BELOW, get, PING, Tab
 from whole_cradles import FIVE_CSV
 
-from support.page.port import listen
-from support.page.site import NO_KEY
+from support.page.server.port import listen
+from support.page.server.site import NO_KEY
 
 # They need autobahn, which comes with VPython.
-server = pytest.importorskip("support.page.server")
-connections = pytest.importorskip("support.page.connection")
+server = pytest.importorskip("support.page.server.server")
+connections = pytest.importorskip("support.page.server.connection")
 pytestmark = programs.needs_vpython
 
 WEB = ROOT / "support" / "page" / "web"

@@ -9,11 +9,11 @@ from types import SimpleNamespace
 import programs
 import pytest
 
-from support.page.attendance import CLOSED, FLICKER, LEFT, LOADING, LOOK_AT_TABS, LOST
+from support.page.server.attendance import CLOSED, FLICKER, LEFT, LOADING, LOOK_AT_TABS, LOST
 
 # They need autobahn, which comes with VPython.
-server = pytest.importorskip("support.page.server")
-connections = pytest.importorskip("support.page.connection")
+server = pytest.importorskip("support.page.server.server")
+connections = pytest.importorskip("support.page.server.connection")
 pytestmark = programs.needs_vpython
 
 
@@ -28,7 +28,7 @@ def silent(monkeypatch):
         for _ in range(round(seconds / LOOK_AT_TABS)):
             silent.look()
 
-    monkeypatch.setattr("support.page.site.keyless_files", dict)
+    monkeypatch.setattr("support.page.server.site.keyless_files", dict)
     monkeypatch.setattr(server.Server, "serve", lambda silent, ready: ready.set())
     silent = server.Server(None, {})
     silent.loop.close()

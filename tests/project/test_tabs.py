@@ -8,8 +8,8 @@ import pytest
 from hypothesis import settings, strategies
 from hypothesis.stateful import rule, RuleBasedStateMachine, run_state_machine_as_test
 
-from support.page.changes import Changes
-from support.page.tabs import MOST_MESSAGES, Tabs
+from support.page.server.changes import Changes
+from support.page.server.tabs import MOST_MESSAGES, Tabs
 
 SPHERE = {"cmd": "sphere", "idx": 1}
 CANVAS = {"cmd": "canvas", "idx": 0}
@@ -52,7 +52,7 @@ def tabs(monkeypatch):
     """Tabs; changes has what VPython has changed."""
     tabs = Tabs(in_server=now)
     tabs.changes = {}
-    monkeypatch.setattr("support.page.tabs.take_changes", lambda: tabs.changes)
+    monkeypatch.setattr("support.page.server.tabs.take_changes", lambda: tabs.changes)
     return tabs
 
 
@@ -163,7 +163,7 @@ class ComingAndGoing(RuleBasedStateMachine):
     )
     def show(self, cmds, attrs, state):
         drawing = {"cmds": cmds, "attrs": attrs}
-        with patch("support.page.tabs.take_changes", lambda: drawing):
+        with patch("support.page.server.tabs.take_changes", lambda: drawing):
             self.tabs.show(state)
         self.drawings.append({**drawing, "state": state})
 
@@ -186,7 +186,7 @@ class ComingAndGoing(RuleBasedStateMachine):
 
 
 def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(monkeypatch):
-    monkeypatch.setattr("support.page.tabs.MOST_MESSAGES", 2)
+    monkeypatch.setattr("support.page.server.tabs.MOST_MESSAGES", 2)
     run_state_machine_as_test(
         ComingAndGoing,
         settings=settings(

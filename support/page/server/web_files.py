@@ -8,7 +8,7 @@ from pathlib import Path
 from support.page.names import names_as_module, Texts
 from support.page.vpython_inside import files_for_a_browser
 
-WEB = Path(__file__).with_name("web")
+WEB = Path(__file__).parents[1] / "web"
 PAGE = WEB / "page.html"
 # In page.html
 NO_MAP = '<script type="importmap"></script>'

@@ -12,10 +12,10 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from support.page.attendance import Attendance, CLOSED, LEFT
-from support.page.film import FilmPicture
 from support.page.names import Texts
-from support.page.web_files import content_of, keyless_files, page_with
+from support.page.server.attendance import Attendance, CLOSED, LEFT
+from support.page.server.film import FilmPicture
+from support.page.server.web_files import content_of, keyless_files, page_with
 
 GOODBYES = {"closed": CLOSED, "left": LEFT}  # what a page says in the end
 # line.js knows by "ends with a key" that another program is at this port now.
@@ -93,7 +93,9 @@ class Site:
         if not self.has_key(parameters):
             return HttpResponse("403 Forbidden", content=NO_KEY.encode())
         if pictures:
-            from support.page.run_file import run_as_html  # not at the start: it takes a moment
+            from support.page.server.run_file import (
+                run_as_html,  # not at the start: it takes a moment
+            )
 
             # In a thread of its own: a long run takes seconds, and the tabs go on meanwhile.
             return HttpResponse("200 OK", ".html", await asyncio.to_thread(run_as_html, pictures))

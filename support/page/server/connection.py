@@ -10,9 +10,9 @@ from urllib.parse import parse_qs, urlsplit
 from autobahn.asyncio.websocket import WebSocketServerProtocol
 from autobahn.websocket.types import ConnectionDeny
 
-from support.page.attendance import Attendance, CLOSED, LEFT, LOOK_AT_TABS, LOST
-from support.page.site import HttpResponse, Site
-from support.page.tabs import Tabs
+from support.page.server.attendance import Attendance, CLOSED, LEFT, LOOK_AT_TABS, LOST
+from support.page.server.site import HttpResponse, Site
+from support.page.server.tabs import Tabs
 
 CODES = {4001: CLOSED, 4000: LEFT, 1001: LEFT}  # with which the websocket of a page ends
 SILENT = 10.0  # s after which a tab that does not answer is lost

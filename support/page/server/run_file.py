@@ -16,8 +16,8 @@ from typing import Any
 
 from support.files.data_file import RUN_LINE
 from support.files.experiments import YOUR_CSV
-from support.page.film import FilmPicture
-from support.page.web_files import (
+from support.page.server.film import FilmPicture
+from support.page.server.web_files import (
     content_of,
     keyless_files,
     LIVE,

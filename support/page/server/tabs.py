@@ -11,8 +11,8 @@ from queue import SimpleQueue
 from threading import Event
 from typing import Any
 
-from support.page.changes import Changes
-from support.page.film import Film, FilmPicture
+from support.page.server.changes import Changes
+from support.page.server.film import Film, FilmPicture
 from support.page.vpython_inside import take_changes
 
 # What can be under way to a tab: a far one needs several messages, a slow line not too many bytes.

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from math import inf
 from typing import NamedTuple
 
-from support.page.changes import Changes
+from support.page.server.changes import Changes
 
 PICTURE = 0.03  # s from picture to picture, at least
 WHOLE = 5.0  # s from one whole picture to the next one, at least

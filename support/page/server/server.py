@@ -14,12 +14,12 @@ from _thread import interrupt_main
 import txaio
 from autobahn.asyncio.websocket import WebSocketServerFactory
 
-from support.page.attendance import Attendance, LOOK_AT_TABS
-from support.page.browser import BrowserStart
-from support.page.connection import Connection
 from support.page.names import Texts
-from support.page.site import Site
-from support.page.tabs import Tabs
+from support.page.server.attendance import Attendance, LOOK_AT_TABS
+from support.page.server.browser import BrowserStart
+from support.page.server.connection import Connection
+from support.page.server.site import Site
+from support.page.server.tabs import Tabs
 
 FAREWELL = 0.3  # s that the tabs have to hear of the end
 # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends.
