@@ -5,8 +5,8 @@ argument page of main: the cradle's page in the browser (support/page/viewer.py)
 its lines or its data file (support/terminal/players.py).
 
 The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows
-the cradle, and plans the next ticks (plan), or wants another cradle (next.want): the loop then
-ends, and begins again.
+the cradle, and plans the next ticks (plan), or wants another cradle (next_cradle.want). The loop
+then ends, and begins again.
 """
 
 from collections.abc import Sequence
@@ -61,7 +61,7 @@ class Player(Page):
         """
         self.cradle = cradle
         settings = Settings(csv, list(angles), lifted, cradle.collision, cradle.mass)
-        self.next = NextCradle(settings, separating=not cradle.takes_rule)
+        self.next_cradle = NextCradle(settings, separating=not cradle.takes_rule)
         self.motion = Motion(cradle, impacts)
         self.held_bob = HeldBob(cradle)
         self.hits = Hits(cradle, self.held_bob)
@@ -125,8 +125,8 @@ class Player(Page):
         """Get ready for the loop to make and show a cradle."""
         self.held_bob.forget()
         self.cradle.give_back()
-        self.path = self.copy.enter_context(clean_copy(self.next.settings.csv))
-        self.next.is_wanted = False
+        self.path = self.copy.enter_context(clean_copy(self.next_cradle.settings.csv))
+        self.next_cradle.is_wanted = False
         self.planned = 0
         self.is_shown = False
         self.refused = 0
@@ -147,7 +147,7 @@ class Player(Page):
         """
         if not self.cradle.takes_rule:
             return {}
-        return {"approaching_only": not self.next.separating}
+        return {"approaching_only": not self.next_cradle.separating}
 
     def show(self, pend_list: list) -> None:
         """Take and release a new cradle.
@@ -157,7 +157,7 @@ class Player(Page):
         if self.is_shown:
             message = "called page.show again. Show the cradle once, before the loop."
             raise MistakeError(self.loop, message)
-        settings = self.next.settings
+        settings = self.next_cradle.settings
         with self.copy:
             self.cradle.accept(pend_list, settings.csv.columns)
             self.cradle.use_mass(settings.mass, self.path)
@@ -182,7 +182,7 @@ class Player(Page):
         while not self.due:
             if self.is_in_batch:
                 self.end_batch()
-            if self.is_over or self.next.is_wanted:
+            if self.is_over or self.next_cradle.is_wanted:
                 self.refuse()
                 return False
             if self.planned and self.pace.clock() < self.deadline:
@@ -268,12 +268,12 @@ def run(loop: Loop, player: Player) -> None:
     import_now("pandas")  # not in a student's function, which has no part in the time that it takes
     player.loop = loop
     try:
-        while player.next.is_wanted:
+        while player.next_cradle.is_wanted:
             player.begin()
             loop(player)
             if not player.is_shown:
                 raise MistakeError(loop, "showed no cradle: page.show(pend_list) is missing.")
-            if not (player.next.is_wanted or player.is_over):
+            if not (player.next_cradle.is_wanted or player.is_over):
                 message = (
                     "ended, but the simulation still runs. Tick while page.is_running() is True."
                 )

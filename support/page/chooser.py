@@ -27,7 +27,7 @@ class Chooser:
         experiment: Experiment | None = None,
     ):
         """Begin with your CSV, which is in this file, or with an experiment of your own."""
-        self.next = next_cradle
+        self.next_cradle = next_cradle
         self.file = file
         self.cords = cradle.cord_count
         self.first = next_cradle.settings  # those of your CSV at the start
@@ -72,7 +72,7 @@ class Chooser:
     def choose(self, name: str) -> None:
         """Let main make the cradle with this name: an experiment, or your CSV with its settings."""
         if not self.experiment:
-            self.yours = self.next.settings
+            self.yours = self.next_cradle.settings
             if name == YOUR_CSV:  # again: without what you have changed on the page
                 self.yours = self.yours._replace(csv=self.saved)
         self.experiment = self.experiments.get(name)
@@ -80,15 +80,17 @@ class Chooser:
         if self.experiment:
             angles: list[float | None] = [None] * self.cords
             poses = self.experiment.poses
-            self.next.settings = Settings(self.experiment.csv, angles, None, AS_MADE, None, poses)
+            self.next_cradle.settings = Settings(
+                self.experiment.csv, angles, None, AS_MADE, None, poses
+            )
         else:
-            self.next.settings = self.yours
-        self.next.want()
+            self.next_cradle.settings = self.yours
+        self.next_cradle.want()
 
     def choose_first(self) -> None:
         """Choose your CSV, with its settings at the start."""
         self.experiment = None
-        self.next.settings = self.first
+        self.next_cradle.settings = self.first
         self.choose(YOUR_CSV)
 
     def look_at_file(self) -> None:
@@ -107,7 +109,7 @@ class Chooser:
         self.choose(YOUR_CSV)
         self.saved = csv
         self.pictures[YOUR_CSV] = at_rest(csv, self.cords)
-        self.next.want(csv=csv)
+        self.next_cradle.want(csv=csv)
 
     def original(self) -> CradleCsv:
         """Return the CSV of what is chosen, without changes on the page."""
@@ -115,13 +117,13 @@ class Chooser:
 
     def is_edited(self) -> bool:
         """Return whether you have changed numbers, or the number, of the pendula on the page."""
-        return self.next.settings.csv != self.original()
+        return self.next_cradle.settings.csv != self.original()
 
     def has_changes(self) -> bool:
         """Return whether the cradle is no longer as it was when it was chosen."""
         if self.experiment:
             return self.is_changed or self.is_edited()
-        return self.next.settings != self.first._replace(csv=self.saved)
+        return self.next_cradle.settings != self.first._replace(csv=self.saved)
 
     def state(self) -> State:
         """Return what the page must know of the choice."""

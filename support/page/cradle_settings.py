@@ -33,7 +33,7 @@ class CradleSettings:
     def __init__(self, cradle: Cradle, next_cradle: NextCradle, chooser: Chooser):
         """Change what this chooser has chosen; cradle is that of now."""
         self.cradle = cradle
-        self.next = next_cradle
+        self.next_cradle = next_cradle
         self.chooser = chooser
         self.refused: dict[str, Refusal] = {}  # by "row,column" of the table
         self.refused_in: CradleCsv | None = None  # the table
@@ -41,25 +41,25 @@ class CradleSettings:
     def change(self, **changed: object) -> None:
         """Let main make a cradle with these settings, no longer that of an experiment."""
         self.chooser.leave_experiment()
-        self.next.want(**changed)
+        self.next_cradle.want(**changed)
 
     # --- the release ---------------------------------------------------------------------------
 
     def release_angle(self, cord: int) -> float:
         """Return the release angle of this cord (0 upper, 1 lower), in degrees outwards."""
-        angles = self.cradle.release_angles(self.next.settings.angles)
+        angles = self.cradle.release_angles(self.next_cradle.settings.angles)
         return angle_to_outwards(angles[cord])
 
     def set_release_angle(self, cord: int, degrees: float) -> None:
         """Release the bobs with this angle of this cord, outwards."""
         self.leave_poses()
-        angles = list(self.next.settings.angles)
+        angles = list(self.next_cradle.settings.angles)
         angles[cord] = outwards_to_angle(degrees)
         self.change(angles=angles)
 
     def lifted(self) -> int:
         """Return the number of lifted bobs."""
-        settings = self.next.settings
+        settings = self.next_cradle.settings
         return self.cradle.lifted_count(settings.angles, settings.lifted)
 
     def set_lifted(self, lifted: int) -> None:
@@ -69,7 +69,7 @@ class CradleSettings:
 
     def leave_poses(self) -> None:
         """Lift the bobs as the sliders say, no more as an experiment says."""
-        if self.next.settings.poses:
+        if self.next_cradle.settings.poses:
             angles = list(self.cradle.made_angles)
             self.change(poses=None, angles=angles, lifted=self.cradle.made_lifted)
 
@@ -77,7 +77,9 @@ class CradleSettings:
 
     def most_bobs(self) -> int:
         """Return the larger number of pendula: of the present CSV, or without changes."""
-        return max(len(csv.pendula) for csv in (self.chooser.original(), self.next.settings.csv))
+        return max(
+            len(csv.pendula) for csv in (self.chooser.original(), self.next_cradle.settings.csv)
+        )
 
     def set_count(self, count: int) -> None:
         """Let the cradle have this number of pendula; they come and go at the right end.
@@ -86,7 +88,7 @@ class CradleSettings:
         of the experiments.
         """
         self.leave_poses()
-        csv = self.next.settings.csv
+        csv = self.next_cradle.settings.csv
         pendula = csv.pendula + self.chooser.original().pendula[len(csv.pendula) :]
         color = csv.columns.index("color")
         while len(pendula) < count:
@@ -114,15 +116,15 @@ class CradleSettings:
                 allowed = IN_RANGE
                 fits = are_in_range(numbers[column])
         if fits:
-            edited = with_numbers(self.next.settings.csv, numbers)
+            edited = with_numbers(self.next_cradle.settings.csv, numbers)
             self.change(csv=edited, mass=None, collision=AS_MADE)
         else:
             self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}{odd_sign(text)}")
-        self.refused_in = self.next.settings.csv
+        self.refused_in = self.next_cradle.settings.csv
 
     def refusals(self) -> dict[str, Refusal]:
         """Return the numbers that were refused in the present table, by "row,column"."""
-        return self.refused if self.refused_in is self.next.settings.csv else {}
+        return self.refused if self.refused_in is self.next_cradle.settings.csv else {}
 
     # --- collisions ----------------------------------------------------------------------------
 
@@ -155,7 +157,7 @@ class CradleSettings:
 
     def set_separating(self, separating: bool) -> None:
         """Let separating bobs collide, too, or not."""
-        self.next.separating = separating
+        self.next_cradle.separating = separating
         self.change()
 
     def state(self) -> State:

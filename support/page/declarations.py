@@ -9,6 +9,7 @@ from typing import Any
 from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.held_bob import HeldBob
+from support.cradle.settings import NextCradle
 from support.page.chooser import Chooser
 from support.page.controls import (
     Command,
@@ -54,7 +55,9 @@ def experiment_menu(chooser: Chooser, lesson: Lesson) -> Menu:
     )
 
 
-def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
+def cradle_controls(
+    cradle: Cradle, next_cradle: NextCradle, settings: CradleSettings
+) -> list[Control]:
     """Return the controls of how the cradle is released, and of its bobs."""
 
     def mass_limits() -> tuple[float, float]:
@@ -124,7 +127,7 @@ def cradle_controls(cradle: Cradle, settings: CradleSettings) -> list[Control]:
         name="separating",
         place="programmers",
         label="Separating bobs collide too",
-        get=lambda: settings.next.separating,
+        get=lambda: next_cradle.separating,
         set=settings.set_separating,
         is_enabled=lambda: cradle.takes_rule,
     )
@@ -235,6 +238,7 @@ def commands(
     ghost_file: GhostFile,
     held_bob: HeldBob,
     let_go: Callable[[], None],
+    restart: Callable[[], None],
     reset: Callable[[], None],
 ) -> Commands:
     """Return what each command does, by its name."""
@@ -243,7 +247,7 @@ def commands(
         "pause": Command(playback.pause),
         "step": Command(playback.do_step),
         "tick": Command(playback.do_one_tick),
-        "restart": Command(settings.next.want),
+        "restart": Command(restart),
         "reset": Command(reset),
         "next": Command(lesson.choose_next),
         "repeat": Command(lesson.repeat, (is_switch,)),

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 
+from support.cradle.settings import NextCradle
 from support.files.cradle_csv import Snapshot
 from support.files.ghosts import Ghosts, read_ghosts
 from support.page.cradle_settings import CradleSettings
@@ -12,9 +13,10 @@ from support.pendulum import angle_to_outwards
 class GhostFile:
     """The ghosts of the last good file, or none."""
 
-    def __init__(self, keys: Sequence[str], settings: CradleSettings):
+    def __init__(self, keys: Sequence[str], next_cradle: NextCradle, settings: CradleSettings):
         """Begin without ghosts; keys are a pendulum's of its angles."""
         self.keys = keys
+        self.next_cradle = next_cradle
         self.settings = settings
         self.remove()
 
@@ -39,7 +41,7 @@ class GhostFile:
         """Release the cradle with these ghosts, from their angle if they have one."""
         self.ghosts = ghosts
         self.mistake = ""
-        self.settings.next.want()
+        self.next_cradle.want()
         if with_angle and ghosts.angle is not None:
             self.settings.set_release_angle(0, angle_to_outwards(ghosts.angle))
 

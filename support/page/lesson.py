@@ -1,6 +1,7 @@
 """The experiments as a class goes through them: choose one, predict, see, and see it again."""
 
 from support.cradle.motion import Motion
+from support.cradle.settings import NextCradle
 from support.page.chooser import Chooser
 from support.page.playback import Playback
 from support.page.questions import Questions
@@ -9,8 +10,15 @@ from support.page.questions import Questions
 class Lesson:
     """Chooses experiments, and asks their questions."""
 
-    def __init__(self, chooser: Chooser, questions: Questions, playback: Playback):
+    def __init__(
+        self,
+        chooser: Chooser,
+        next_cradle: NextCradle,
+        questions: Questions,
+        playback: Playback,
+    ):
         self.chooser = chooser
+        self.next_cradle = next_cradle
         self.questions = questions
         self.playback = playback
 
@@ -41,7 +49,7 @@ class Lesson:
 
     def run_again(self) -> None:
         self.playback.is_paused = False
-        self.chooser.next.want()
+        self.next_cradle.want()
 
     def begin(self, motion: Motion) -> None:
         """Begin with a new cradle of this Motion: ask the question of its experiment, if you want.

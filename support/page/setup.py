@@ -6,6 +6,7 @@ from support.columns import SETTABLE
 from support.constants import NC_FP
 from support.cradle.held_bob import HeldBob
 from support.cradle.motion import Motion
+from support.cradle.settings import NextCradle
 from support.files.experiments import experiment_text
 from support.page.chooser import Chooser
 from support.page.names import State
@@ -25,10 +26,15 @@ NO_RULE = "Separating bobs do not collide in it until you tick the box again."
 class Setup:
     """The command, and the text of the file."""
 
-    def __init__(self, chooser: Chooser, motion: Motion, held_bob: HeldBob):
+    def __init__(
+        self, chooser: Chooser, next_cradle: NextCradle, motion: Motion, held_bob: HeldBob, csv: str
+    ):
+        """csv is the path of your CSV."""
         self.chooser = chooser
+        self.next_cradle = next_cradle
         self.motion = motion
         self.held_bob = held_bob
+        self.csv = csv
         self.cradle = motion.cradle
 
     def state(self) -> State:
@@ -38,11 +44,10 @@ class Setup:
         if options is None:
             options = [f"--experiment={FILE}"]
             advice = SAVE_FIRST
-        if self.chooser.next.separating and self.cradle.takes_rule:
+        if self.next_cradle.separating and self.cradle.takes_rule:
             advice = f"{NO_RULE} {advice}"
-        csv = str(self.chooser.file.filepath)
-        if csv != NC_FP:
-            options = [csv, *options]
+        if self.csv != NC_FP:
+            options = [self.csv, *options]
         command = command_line(self.cradle.page_program, options)
         return {"same_cradle": command, "advice": advice, "setup": self.file_text()}
 
@@ -55,7 +60,7 @@ class Setup:
         has_moved = self.held_bob.has_moved
         if chooser.experiment or chooser.is_edited() or has_moved or chooser.error:
             return None
-        settings = chooser.next.settings
+        settings = self.next_cradle.settings
         options = []
         for name, angle in zip(("angle", "phi"), settings.angles, strict=False):
             if angle is not None:

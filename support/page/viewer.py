@@ -70,9 +70,9 @@ class Viewer(Player):
         self.next_refresh = 0.0
 
         # Which cradle
-        self.chooser = Chooser(cradle, self.next, start.file, start.experiment)
-        self.cradle_settings = CradleSettings(cradle, self.next, self.chooser)
-        self.ghost_file = GhostFile(cradle.angle_keys, self.cradle_settings)
+        self.chooser = Chooser(cradle, self.next_cradle, start.file, start.experiment)
+        self.cradle_settings = CradleSettings(cradle, self.next_cradle, self.chooser)
+        self.ghost_file = GhostFile(cradle.angle_keys, self.next_cradle, self.cradle_settings)
         if start.ghosts:
             self.ghost_file.take(start.ghosts, with_angle=start.angles[0] is None)
         # Its motion
@@ -82,7 +82,7 @@ class Viewer(Player):
         self.playback = Playback(
             cradle, self.pace, self.questions, self.slow_hits, self.one_tick, self.plan
         )
-        self.lesson = Lesson(self.chooser, self.questions, self.playback)
+        self.lesson = Lesson(self.chooser, self.next_cradle, self.questions, self.playback)
         self.stopwatch = Stopwatch()
         # What shows it
         self.scenery = Scenery()
@@ -93,7 +93,9 @@ class Viewer(Player):
         )
         self.bars = Bars(self.motion, self.marks, self.slow_hits, self.questions)
         self.sound = Sound(self.motion)
-        self.setup = Setup(self.chooser, self.motion, self.held_bob)
+        self.setup = Setup(
+            self.chooser, self.next_cradle, self.motion, self.held_bob, str(start.file.filepath)
+        )
         # What you can do
         view_controls = declarations.view_controls(
             self.lesson, self.questions, self.playback, self.marks, self.slow_hits, self.graph
@@ -102,7 +104,7 @@ class Viewer(Player):
         controls = [
             declarations.experiment_menu(self.chooser, self.lesson),
             *view_controls,
-            *declarations.cradle_controls(cradle, self.cradle_settings),
+            *declarations.cradle_controls(cradle, self.next_cradle, self.cradle_settings),
         ]
         self.controls: dict[str, Control] = {control.name: control for control in controls}
         self.commands = declarations.commands(
@@ -114,6 +116,7 @@ class Viewer(Player):
             self.ghost_file,
             self.held_bob,
             self.let_go,
+            self.next_cradle.want,
             self.reset,
         )
 
@@ -123,9 +126,9 @@ class Viewer(Player):
         """Do the work of one frame: show the last ticks, rest, obey, and plan the next ticks."""
         self.show_frame()
         self.pace.rest()
-        while not (self.tabs.commands.empty() or self.next.is_wanted or self.planned):
+        while not (self.tabs.commands.empty() or self.next_cradle.is_wanted or self.planned):
             self.carry_out(*self.tabs.commands.get())
-        if not self.next.is_wanted:
+        if not self.next_cradle.is_wanted:
             self.chooser.look_at_file()
             self.leave_moved_cradle()
         if self.chooser.is_changed:
@@ -136,7 +139,7 @@ class Viewer(Player):
             self.planned = 0
         elif self.playback.is_resting() or not self.playback.is_running():
             self.pace.restart()
-        elif not (self.next.is_wanted or self.planned):
+        elif not (self.next_cradle.is_wanted or self.planned):
             self.pace.speed = self.playback.speed_now()
             self.keep_time()
 
@@ -308,6 +311,6 @@ class Viewer(Player):
         for control, value in self.at_first:
             control.set(value)
         self.ghost_file.remove()
-        self.next.separating = not self.cradle.takes_rule
+        self.next_cradle.separating = not self.cradle.takes_rule
         self.playback.is_paused = False
         self.chooser.choose_first()

@@ -51,7 +51,7 @@ class Rig:
 
     def begin(self):
         """Let main make the cradle, as at the start."""
-        self.viewer.next.want()
+        self.viewer.next_cradle.want()
         go_on(self.viewer)
         self.wait()
 

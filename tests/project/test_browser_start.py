@@ -14,7 +14,7 @@ from programs import end, first_lines, running
 from students import change
 from web_client import Tab
 
-from support.page import browser as browser_start
+from support.page.server import browser as browser_start
 
 pytestmark = programs.needs_vpython
 

@@ -33,13 +33,13 @@ def test_collisions_can_be_changed_and_survive_a_reload(swing, kind):
     assert values(player, "mass") == [2.0] * 3
     es = []
     for collision in player.cradle.collisions:
-        player.next.want(collision=collision)
+        player.next_cradle.want(collision=collision)
         player.read(MIXED_CSV)
         es.append(values(player, "e"))
     assert es == [[0.9, 0.8, 0.7], [1, 1, 1], [0, 0, 0], [0.25, 0.25, 0.25]]
     player.read(FIVE_CSV)
     assert values(player, "e") == [0.25] * 5
-    player.next.want(collision=AS_MADE)
+    player.next_cradle.want(collision=AS_MADE)
     player.read(FIVE_CSV)
     assert values(player, "e") == [1.0] * 5
 
@@ -102,7 +102,7 @@ def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(
     """With e below 1, bobs keep touching if separating ones collide too."""
     player = swing(kind=kind, e=0.8)
     same = swing(kind=kind, e=0.8).cradle
-    player.next.separating = separating
+    player.next_cradle.separating = separating
     ticks = round(0.6 * PERIOD / kind.dt)
     player.swing(ticks)
     rule = {"approaching_only": not separating} if kind is Cradle else {}

@@ -19,7 +19,7 @@ from support.pendulum import cord_angles
 )
 def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob, separating):
     player = swing(kind=kind)
-    player.next.separating = separating
+    player.next_cradle.separating = separating
     player.hold(bob)
     cradle = player.cradle
     masses = player.cradle.values("mass")

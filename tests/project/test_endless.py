@@ -83,7 +83,7 @@ def test_the_page_names_the_function_that_does_not_return_until_it_does(clocked,
                 watch.look()
 
     monkeypatch.setattr(visualize_cradle_run, "full_swing_update", does_not_return)
-    clocked.viewer.next.want()
+    clocked.viewer.next_cradle.want()
     run(visualize_cradle_run.main, clocked.viewer)
     [message] = told
     assert re.fullmatch(
@@ -105,6 +105,6 @@ def test_a_file_of_yours_may_have_the_name_of_the_players(clocked, monkeypatch):
         clocked.tabs.are_gone = True
 
     monkeypatch.setattr(visualize_cradle_run, "full_swing_update", lambda *_: names["stays"](look))
-    clocked.viewer.next.want()
+    clocked.viewer.next_cradle.want()
     run(visualize_cradle_run.main, clocked.viewer)
     assert set(found) == {"stays"}

@@ -237,7 +237,7 @@ def start(monkeypatch, csv):
         show(program.main, special_cradles)
         server.close.assert_called_once()
         [(_, viewer)] = [call.args for call in run.mock_calls]
-        viewer.next.want()
+        viewer.next_cradle.want()
         go_on(viewer)
         place = listen.call_args.args
         return SimpleNamespace(place=place, browser=server.browser_start.open.called, viewer=viewer)

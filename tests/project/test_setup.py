@@ -34,7 +34,7 @@ def start(monkeypatch, tmp_path):
         else:
             show_cradle.show_double_cradle(visualize_double_cradle_run.main, special_cradles)
         _, viewer = show_cradle.run.call_args[0]
-        viewer.next.want()
+        viewer.next_cradle.want()
         go_on(viewer)
         return viewer
 

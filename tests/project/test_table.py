@@ -26,7 +26,7 @@ def test_the_table_shows_pend_list_as_it_is_now(rig):
 
 def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(rig, csv):
     """They came from --mass and from the menu: nothing else may change with the edit."""
-    rig.viewer.next.want(mass=3.0)
+    rig.viewer.next_cradle.want(mass=3.0)
     rig.give("collision", "perfectly inelastic, e = 0")
     rig.wait(0.3)
     rig.give("edit", 1, "mass", "2.50")

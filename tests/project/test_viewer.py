@@ -129,7 +129,7 @@ def test_the_loop_ends_when_the_last_tab_is_closed(rig, is_paused):
     rig.tabs.is_seen.clear()
     rig.tabs.are_gone = True
     rig.viewer.pace.sleep = Mock(side_effect=[None] * 3)
-    rig.viewer.next.want()
+    rig.viewer.next_cradle.want()
     run(visualize_cradle_run.main, rig.viewer)
     assert rig.viewer.is_over
 

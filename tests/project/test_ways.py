@@ -212,7 +212,7 @@ class Listener(Player):
 
     def frame(self):
         if len(self.cradles) < 2:
-            self.next.want()
+            self.next_cradle.want()
         else:
             self.is_over = True
 

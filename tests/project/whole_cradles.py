@@ -121,7 +121,7 @@ def go_on(player) -> None:
         stack.enter_context(patch.object(player, "frame", side_effect=FrameError))
         stack.enter_context(suppress(FrameError))
         stack.callback(player.hits.stop)
-        if player.next.is_wanted:
+        if player.next_cradle.is_wanted:
             player.begin()
             player.show(scope[cradle.make_name](player.csv, R_PARAM, *starts))
         while player.is_running():
@@ -156,9 +156,9 @@ class Swing(Player):
 
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
-        filepath = self.next.settings.csv.filepath
+        filepath = self.next_cradle.settings.csv.filepath
         filepath.write_text(text)
-        self.next.want(csv=checked(filepath, self.cradle.cord_count))
+        self.next_cradle.want(csv=checked(filepath, self.cradle.cord_count))
         go_on(self)
 
 
