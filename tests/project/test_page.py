@@ -180,7 +180,8 @@ def test_a_slow_double_click_on_a_picture_chooses_no_answer(shared):
     button(shared, "2 hands for B").wait_for()
     # A screen reader says what is new in the question, which is one number
     assert shared.evaluate("document.activeElement.textContent") == "2 hands"
-    assert shared.get_by_role("status").and_(question).get_attribute("aria-atomic") == "false"
+    status = shared.get_by_role("status").and_(shared.locator(":has(> .question)"))
+    assert status.get_attribute("aria-atomic") == "false"
     assert question.evaluate("element => element.isSame")
     shared.keyboard.press("c")
     wait_for_text(shared, "You said: C")

@@ -13,7 +13,7 @@ const SMALLEST = 0.875; // height of the numbers, in heights of the page's text
 const LETTER = 0.55; // width of a letter, in heights
 
 // How the texts look, by their kind; yoffset 1 is above a place, -1 below it.
-const PLAIN = { color: INK, opacity: 0 };
+const PLAIN = { color: INK, opacity: 0, border: 5 };
 const BOXED = { color: vec(1, 1, 1), background: vec(0.1, 0.1, 0.1), opacity: 0.6, border: 6 };
 const STYLES = {
   number: { ...PLAIN, yoffset: 1 },
@@ -24,6 +24,7 @@ const STYLES = {
 
 let home; // the center and the range with which the whole cradle fills the canvas
 let fitted; // the points for which it does
+let written = 0; // the range (m) for which the texts are written
 const labels = []; // VPython's, for the texts
 
 export function follow(points) {
@@ -88,12 +89,14 @@ export function limit() {
   const turn = forward.norm().sub(vec(...FORWARD).norm()).mag;
   const way = Math.max(Math.abs(allowed - home.range), away.mag);
   one(".view").hidden = turn <= MOVED && way <= MOVED * home.range;
+  if (written !== allowed) writeTexts(); // you have zoomed
 }
 
 // Write the numbers of the pendula above as many axles as they fit, and the labels.
 function writeTexts() {
   const { numbers, top, text_height } = state.view;
   const { width, height, range } = scene();
+  written = range;
   const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
   const size = Math.max(SMALLEST * ofPage, text_height * height);
   const pixel = 2 * range / Math.min(width, height); // m

@@ -87,5 +87,9 @@ function stopDrawing(event) {
 // As soon as the program can be reached; the camera then looks in the same direction.
 function loadAgain() {
   remember({ forward: coordinates(scene().forward) });
-  setInterval(() => isOpen() && location.reload(), 100);
+  const timer = setInterval(() => {
+    if (!isOpen()) return;
+    clearInterval(timer);
+    location.reload();
+  }, 100);
 }

@@ -1,6 +1,10 @@
 // The controls: made and filled as the program declares them (declarations.py), and the buttons.
-import { find, make, show } from "page";
+import { find, make, show, state, update } from "page";
 import { send, set, sliders } from "program";
+
+const SETTLING = 600; // ms after which a slider shows what the program says
+let moved; // the slider that you have just moved
+let timer;
 
 const makers = {
   Switch({ name, label }) {
@@ -27,7 +31,8 @@ const fillers = {
   },
   Slider(slider, { min, max, text, value }) {
     Object.assign(slider, { min, max });
-    if (!slider.matches(":active")) slider.value = value;
+    const isMoving = slider.matches(":active") || slider === moved;
+    if (!isMoving) slider.value = value;
     slider.nextElementSibling.value = text;
     slider.setAttribute("aria-valuetext", text);
   },
@@ -67,7 +72,15 @@ addEventListener("click", ({ target }) => {
   if (control) set(control, JSON.parse(value));
 });
 addEventListener("input", ({ target }) => {
-  if (target.type === "range") sliders.set(target.name, +target.value);
+  if (target.type !== "range") return;
+  sliders.set(target.name, +target.value);
+  // For a moment, the program may still say an older value.
+  moved = target;
+  clearTimeout(timer);
+  timer = setTimeout(() => {
+    moved = null;
+    if (state.controls) update("controls");
+  }, SETTLING);
 });
 addEventListener("change", ({ target }) => {
   if (!target.name || target.type === "range") return;

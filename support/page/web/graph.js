@@ -1,7 +1,7 @@
 // The graph of the state's rows: below the cradle; in a tall window, in the panel.
 import { dark, legible } from "colors";
 import { plot } from "glow";
-import { css, one, show, state, update } from "page";
+import { css, one, show, state } from "page";
 
 const tall = matchMedia("(max-aspect-ratio: 14/10)"); // as in windows.css
 const ENTRY = 44; // pixels: the width of a number in the legend
@@ -9,7 +9,6 @@ const ENTRY = 44; // pixels: the width of a number in the legend
 show("curves", drawGraph);
 new ResizeObserver(drawGraph).observe(one(".plot"));
 dark.addEventListener("change", drawGraph);
-dark.addEventListener("change", () => update("bars")); // their colors are legible(...)
 tall.addEventListener("change", placeGraph);
 placeGraph();
 

@@ -24,7 +24,9 @@ one(".save-run").onclick = async ({ target }) => {
 };
 
 function save(download, content) {
-  make("a", { download, href: URL.createObjectURL(content) }).click();
+  const href = URL.createObjectURL(content);
+  make("a", { download, href }).click();
+  setTimeout(URL.revokeObjectURL, 60_000, href); // the browser has written it by then
 }
 
 // The program refuses a large file.

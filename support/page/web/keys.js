@@ -5,6 +5,8 @@ import { present } from "present";
 import { send, set } from "program";
 import { tell } from "readout";
 
+const SLOWEST = 1000; // ms between the two halves of a double click
+
 /** @type {Record<string, () => void>} */
 export const keys = {
   " ": () => send("pause"),
@@ -41,8 +43,13 @@ addEventListener("keydown", event => {
   const isHeld = event.repeat && event.key !== "ArrowRight";
   const key = keyOf(event);
   const isLetter = key.length === 1 && key !== " "; // a control needs the other keys itself
-  const isForUs = event.target === document.body || (isLetter && event.target.type !== "text");
-  if (isShortcut || isHeld || !isForUs) return;
+  const isTyping = event.target.matches?.("select, [type=text]"); // a letter finds a choice there
+  const isForUs = event.target === document.body || (isLetter && !isTyping);
+  if (isShortcut || !isForUs) return;
+  if (isHeld) {
+    if (key in keys) event.preventDefault();
+    return;
+  }
   const digit = digitOf(key, event.code);
   const isAsking = state.question?.asking; // a stray digit must not end the question
   const answer = ["a", "b", "c", "d", "e"].indexOf(key);
@@ -58,6 +65,7 @@ addEventListener("keydown", event => {
 let byMouse = false;
 let pressed; // the control that you have clicked last
 let place; // where it was then; nothing once the mouse has left it
+let pressedAt = 0; // ms
 let isStray = false;
 
 const isAt = ({ left, right, top, bottom }, { clientX, clientY }) =>
@@ -67,10 +75,12 @@ const isAt = ({ left, right, top, bottom }, { clientX, clientY }) =>
 // since the first half: this click does nothing.
 addEventListener("pointerdown", event => {
   const control = event.target.closest?.("label, button, summary, select");
-  const isAgain = byMouse && place && isAt(place, event);
+  const isSoon = event.timeStamp - pressedAt < SLOWEST;
+  const isAgain = byMouse && isSoon && place && isAt(place, event);
   isStray = isAgain && control?.textContent !== pressed.textContent;
   byMouse = true;
   pressed = control;
+  pressedAt = event.timeStamp;
   place = control?.getBoundingClientRect();
 }, true);
 addEventListener("pointermove", event => {

@@ -13,7 +13,7 @@ const LAYERS = [[1.3, 0.9], [1.1, 0.8], [0.9, 0.68], [0.7, 0.58]];
 const LAYER = 1e-4; // m: the height of a layer
 const GHOSTLY = { bob: 0.4, cord: 0.7 }; // how much a ghost differs from the page
 
-const paints = new Map(); // of a shape: its color in the program, and that on the page
+const paints = new WeakMap(); // of a shape: its color in the program, and that on the page
 const shadows = [];
 
 // With each message: in the same picture as the bobs.

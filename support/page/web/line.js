@@ -2,12 +2,15 @@
 // commands. When it is cut, the page connects again.
 import "controls";
 import "gallery";
+import "graph";
 import "keep";
 import "keys";
 import "questions";
+import "readout";
 import "sound";
 import "table";
 import { showPicture } from "canvas";
+import { whenItEnds } from "goodbye";
 import { fill, notice, one, remember, show, state, update } from "page";
 import { set, setLine, sliders } from "program";
 
@@ -35,7 +38,7 @@ let silence = 0; // looks without a sign of life
 let isHeard = true;
 let isReached = true; // whether the program has answered a request since it was heard last
 let isDone = document.documentElement.matches(".copy"); // whether the page wants no line any more
-let waiting = []; // commands that were given since then, and when (ms)
+let waiting = []; // commands that wait for the line, and when they were given (ms)
 let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program
@@ -118,13 +121,17 @@ addEventListener("visibilitychange", hurry);
 function hear() {
   silence = 0;
   delay = 0;
-  if (isHeard) return;
+  if (!isHeard) showAgain();
   isHeard = true;
+  const given = waiting;
+  waiting = [];
+  for (const { command, time } of given)
+    if (Date.now() - time < LATEST) sendOrKeep(command);
+}
+
+function showAgain() {
   isReached = false;
   one(".silence").replaceChildren();
-  for (const { command, time } of waiting)
-    if (Date.now() - time < LATEST) sendOrKeep(command);
-  waiting = [];
   for (const name of /** @type {import("page").Value[]} */ (Object.keys(state)))
     if (name !== "sound") update(name); // a control may show a value that was not sent
 }
@@ -144,7 +151,7 @@ function countPictures(now) {
   if (unreported > seen) seen++;
   const isDue = seen > 2 || ((seen || sliders.size) && now > nextWord);
   if (isOpen() && isDue) {
-    socket.send("seen ".repeat(seen));
+    if (seen) socket.send("seen ".repeat(seen));
     // Only the last value of a slider: most of them restart the cradle.
     for (const [name, value] of sliders) set(name, value);
     sliders.clear();
@@ -160,25 +167,12 @@ function finish(id) {
   notice(id);
 }
 
-// You may have left the page, and come back to it by Back; or its tab is closed, for sure
-// - in Firefox, if the line is open: Firefox closes that of a page that you leave before pagehide;
-// - in others, if nobody has questions before: it is closed by a script, or with the browser,
-// - or if the page still runs a moment later: Chromium stops a page at once that you leave.
-const isFirefox = navigator.userAgent.includes("Firefox");
-let isAsked = false;
-addEventListener("beforeunload", () => isAsked = true);
-addEventListener("pagehide", ({ persisted }) => {
-  const isClosed = !persisted && (isFirefox ? isOpen() : !isAsked);
-  sayGoodbye(isClosed ? "closed" : "left");
-  if (!persisted) window.scheduler?.postTask(() => sayGoodbye("closed"));
-  isDone = true;
-  socket?.close(isClosed ? 4001 : 4000); // a browser that keeps the page would keep it open
-});
-
-// Not only by the line: what is on its way here can take it back. And Firefox may lose this one.
-function sayGoodbye(word) {
+whenItEnds(isOpen, word => {
+  // Not only by the line: what is on its way here can take it back. And Firefox may lose this one.
   navigator.sendBeacon(`${word}${address.search}`);
-}
+  isDone = true;
+  socket?.close(word === "closed" ? 4001 : 4000); // a browser that keeps the page would keep it open
+});
 addEventListener("pageshow", event => {
   if (!event.persisted || one(".notice").firstChild) return;
   isDone = false;

@@ -12,7 +12,7 @@ export function listen() {
 }
 const letGo = () => send("let_go");
 
-const isCanvas = target => target.matches(".canvas canvas");
+const isCanvas = target => target.matches?.(".canvas canvas"); // a document has no matches
 
 function isOnBob(event) { // as bob_at in dragging.py finds it
   const { pos, ray } = mouseAt(event);

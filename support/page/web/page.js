@@ -42,7 +42,13 @@ export function show(name, how) {
 
 /** @param {Value} name */
 export function update(name) {
-  for (const how of shows.get(name) ?? []) how(state[name]);
+  for (const how of shows.get(name) ?? []) {
+    try {
+      how(state[name]);
+    } catch (error) { // the other parts still show theirs
+      reportError(error);
+    }
+  }
   showText(name);
 }
 

@@ -9,7 +9,7 @@ let before = "";
 
 addEventListener("beforeprint", () => {
   const place = one(state.question ? ".sketch" : ".picture");
-  if (scene()) place.replaceChildren(state.question ? before : paperPicture());
+  if (scene()) place.replaceChildren(state.question ? pictureBefore() : paperPicture());
   document.documentElement.classList.add("on-paper");
   one(".plot").replaceChildren(); // Chromium prints nothing of what flot draws on old canvases
   drawGraph();
@@ -25,6 +25,9 @@ export function keepPicture() {
   keptName = name;
   before = paperPicture();
 }
+
+// Return the picture before the release of the present experiment, if it was drawn.
+const pictureBefore = () => keptName === state.question.name ? before : "";
 
 // Return a copy of the cradle on white, and of its texts, which are on a second canvas.
 function paperPicture() {

@@ -27,7 +27,7 @@ function button(text, className, command, ...values) {
 }
 
 function makeQuestion({ key, question, answers, votes, asking, reply, happened }) {
-  const element = make("div", { className: "question", role: "status", ariaAtomic: false });
+  const element = make("div", { className: "question" });
   element.append(paragraph(strong(question)));
   if (asking) {
     const choices = make("div", { className: "answers" });

@@ -3,7 +3,9 @@
 // picture and all later ones up to it.
 import "places"; // first: the other modules look for elements there
 import "controls";
+import "graph";
 import "questions";
+import "readout";
 import { showPicture } from "canvas";
 import { isShape, objects, takeImagesFrom } from "glow";
 import { keys } from "keys";
@@ -31,8 +33,10 @@ const commands = {
   step: () => isRunning || jump(Math.max(current, from(current + 1))),
   restart: () => jump(0),
 };
-keys.ArrowLeft = () => isRunning || jump(upTo(current - 1));
-setLine({ send: ([name]) => commands[name]?.(), isOpen: () => true });
+// A saved run has no controls, and nothing that one can do before its pictures are there.
+for (const key of ["h", "n", "?"]) delete keys[key];
+keys.ArrowLeft = () => isRunning || !pictures.length || jump(upTo(current - 1));
+setLine({ send: ([name]) => pictures.length && commands[name]?.(), isOpen: () => true });
 show("ended", message => one("[data-text=error]").textContent = message ?? "");
 takeImagesFrom(makeTexture);
 load();

@@ -49,7 +49,9 @@ function makeEditor(row, column) {
   const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel });
   const message = make("div", { className: "failed", role: "alert" });
   field.addEventListener("change", () => {
-    if (!send("edit", row, column, field.value)) field.value = field.defaultValue;
+    const isSent = send("edit", row, column, field.value);
+    if (isSent) field.defaultValue = field.value;
+    else field.value = field.defaultValue;
   });
   editors[`${row},${column}`] = { row, column, field, message };
   return make("td", {}, field, message);
