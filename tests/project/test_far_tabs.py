@@ -242,6 +242,9 @@ PRESS_WHEN_CUT = """WebSocket = class extends WebSocket {
         this.addEventListener("close", () => setTimeout(press));
     }
 }"""
+PRESS_BEFORE_IT_IS_OPEN = PRESS_WHEN_CUT.replace(
+    'this.addEventListener("close", () => setTimeout(press))', "setTimeout(press)"
+)
 
 
 @pytest.mark.parametrize("browser", ["chromium", "firefox"])
@@ -252,6 +255,13 @@ def test_a_key_is_not_lost_in_a_moment_without_a_line(request, csv, browser):
         proxy.set_cut(True)
         page.wait_for_function("() => window.isPressed")
         proxy.set_cut(False)
+        pages.button(page, "Run").wait_for()
+
+
+def test_a_key_is_not_lost_before_the_line_is_open(chromium, csv):
+    with far_tab(chromium, csv) as (_, page, address, _):
+        page.add_init_script(PRESS_BEFORE_IT_IS_OPEN)
+        open_cradle(page, address)
         pages.button(page, "Run").wait_for()
 
 
