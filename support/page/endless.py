@@ -2,7 +2,6 @@
 
 import sys
 import threading
-import time
 from collections.abc import Callable
 from pathlib import Path
 from types import FrameType
@@ -31,14 +30,17 @@ class Watch:
         # Of the handout's functions that have not returned since then, the innermost one first
         self.frames: list[FrameType] = []
         self.words = ""
+        self.has_ended = threading.Event()  # whether nothing is to be watched any more
 
     def start(self) -> None:
-        """Look again and again, in a thread of its own, until the program ends."""
+        """Look again and again, in a thread of its own, until stop."""
         threading.Thread(target=self.keep_looking, daemon=True).start()
 
+    def stop(self) -> None:
+        self.has_ended.set()
+
     def keep_looking(self) -> None:
-        while True:
-            time.sleep(LOOK)
+        while not self.has_ended.wait(LOOK):
             self.look()
 
     def look(self) -> None:

@@ -115,7 +115,8 @@ def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
     """Run the loop until the last tab is closed; exit with status 1 if a function fails."""
     from support.page.endless import Watch
 
-    Watch(viewer.progress, lambda words: server.tabs.tell({"endless": words})).start()
+    watch = Watch(viewer.progress, lambda words: server.tabs.tell({"endless": words}))
+    watch.start()
     try:
         run(loop, viewer)
     except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
@@ -125,6 +126,8 @@ def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
         server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
         server.close(GOODBYE)
         sys.exit(1)
+    finally:
+        watch.stop()
     server.close()
 
 
