@@ -54,14 +54,11 @@ SHADOWS = "() => shadows.filter(disc => disc.visible).map(disc => disc.pos.x)"
 
 
 @pytest.fixture
-def large(shared):
+def large(whole):
     """The page in a large window, with its whole canvas."""
-    shared.evaluate("document.querySelector('#small').disabled = true")
-    shared.set_viewport_size({"width": 1366, "height": 768})
-    wait_until(lambda: shared.evaluate("glowObjs[0].width") > 700)
-    yield shared
-    shared.emulate_media(color_scheme="light")
-    shared.evaluate("document.querySelector('#small').disabled = false")
+    whole.set_viewport_size({"width": 1366, "height": 768})
+    wait_until(lambda: whole.evaluate("glowObjs[0].width") > 700)
+    return whole
 
 
 def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):

@@ -16,19 +16,13 @@ LETTERS = "() => parseFloat(getComputedStyle(document.querySelector('.readout'))
 
 
 @pytest.fixture
-def at_rest(shared):
-    """The page in a laptop's window, with all bobs at rest.
-
-    The canvas is as large as it is for a user.
-    """
-    shared.evaluate("document.querySelector('#small').disabled = true")
-    resize(shared, LAPTOP)
-    pause(shared)
-    slide(shared, "Bobs lifted", 0)
-    wait_for_angles(shared, 0, 0, 0, 0, 0)
-    yield shared
-    shared.emulate_media(media="screen", color_scheme="light", forced_colors="none")
-    shared.evaluate("document.querySelector('#small').disabled = false")
+def at_rest(whole):
+    """The page in a laptop's window, with all bobs at rest, and its whole canvas."""
+    resize(whole, LAPTOP)
+    pause(whole)
+    slide(whole, "Bobs lifted", 0)
+    wait_for_angles(whole, 0, 0, 0, 0, 0)
+    return whole
 
 
 def resize(page, size):
