@@ -15,7 +15,7 @@ from graded import solve  # noqa: F401  a fixture
 from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
 from programs import copy_project, needs_vpython, PROGRAM
 from rig import Rig
-from shared_page import file, open_page, shared  # noqa: F401  fixtures
+from shared_page import file, open_page, shared, whole  # noqa: F401  fixtures
 from students import made, solved, starter  # noqa: F401  fixtures
 from whole_cradles import FIVE_CSV, make_swing
 

@@ -12,7 +12,8 @@ PUT_BACK = """() => {
     dispatchEvent(new Event("afterprint"));
     set("experiment", state.controls.experiment.choices[0]);
     if (state.running || state.question?.asking) send("pause");
-    for (const name of ["ask_first", "slow_hits", "arrows", "separating"]) set(name, false);
+    for (const name of ["ask_first", "slow_hits", "arrows", "measure", "separating"])
+        set(name, false);
     for (const name of ["collision", "graph", "span"]) set(name, state.controls[name].choices[0]);
     set("count", 5);
     set("e", 1);
@@ -27,6 +28,7 @@ PUT_BACK = """() => {
     for (const open of find("details[open]")) open.open = false;
     one("#keys").hidePopover();
     if (document.documentElement.matches(".presenting")) present();
+    one("#small").disabled = false;
     document.activeElement.blur();
     resetView();
     glowObjs[0].visible = false;
@@ -102,10 +104,18 @@ def shared(open_page, file):
     if file.read_text() != FIVE_CSV:
         file.write_text(FIVE_CSV)
     page.set_viewport_size({"width": 1000, "height": 700})
+    page.emulate_media(media="screen", color_scheme="light", forced_colors="none")
     page.evaluate(PUT_BACK)
     page.wait_for_function(IS_BACK)
     pages.press(page, "Run")
     return page
+
+
+@pytest.fixture
+def whole(shared):
+    """The shared page with its whole canvas, as large as it is for a user."""
+    shared.evaluate("document.querySelector('#small').disabled = true")
+    return shared
 
 
 def wait_for_text(page, text):

@@ -17,13 +17,11 @@ from pages import (
     wait_for_angles,
     wait_for_time,
 )
-from programs import slow_except, wait_until
+from programs import wait_until
 from shared_page import wait_for_text
 from whole_cradles import HEADER
 
 from support.constants import COLOR_MAP, R_PARAM
-from support.files.experiments import EXPERIMENTS, read_experiments
-from support.page.bars import energy_bar, momentum_bars
 
 COLORS = ["black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple"]
 
@@ -58,14 +56,11 @@ SHADOWS = """() => scene().objects
 
 
 @pytest.fixture
-def large(shared):
+def large(whole):
     """The page in a large window, with its whole canvas."""
-    shared.evaluate("document.querySelector('#small').disabled = true")
-    shared.set_viewport_size({"width": 1366, "height": 768})
-    wait_until(lambda: shared.evaluate("glowObjs[0].width") > 700)
-    yield shared
-    shared.emulate_media(color_scheme="light")
-    shared.evaluate("document.querySelector('#small').disabled = false")
+    whole.set_viewport_size({"width": 1366, "height": 768})
+    wait_until(lambda: whole.evaluate("glowObjs[0].width") > 700)
+    return whole
 
 
 def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
@@ -118,154 +113,6 @@ def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(s
     button(shared, "Two bobs, changed").wait_for()
     button(shared, "Two bobs, changed").click()
     button(shared, "Two bobs").wait_for()
-
-
-# --- to present ----------------------------------------------------------------------------------
-
-SIZES = (
-    (1024, 768),
-    (1280, 720),
-    (1366, 768),
-    (1600, 900),
-    (1920, 1080),
-    (2560, 1440),
-    (3840, 2160),
-)
-NUMBERS = {
-    "t": "100.23 s\n0.56x real time",
-    "energy": "100.0 %",
-    "momentum": "-0.520 kg m/s ←\ngravity changes it, hits keep it",
-    "half swings": "10 in 14.56 s",
-}
-
-
-def lesson():
-    """Return states of the page in a lesson, by their names: with and without a question.
-
-    Of an experiment, those in which it is asked, and in which it was measured.
-    """
-    momenta = [-0.52, 0.52, 1.0, 1.0, 1.0, -12.34, 0.0, 0.0, 0.0]
-    colors = [*momentum_bars(momenta, 20.0, [COLOR_MAP["red"]] * 9), energy_bar(100.0)]
-    bars = [bar._asdict() for bar in colors]
-    five = {"bars": {"title": "Momentum after the hits (kg m/s)", "bars": bars[-7:]}}
-    states = {
-        "numbers": {},
-        "nine bars": {"bars": {"title": "Momentum (kg m/s)", "bars": bars}},
-        "a hit": {**five, "hit": {"title": "Hit 3: bobs 4 and 5", "lines": ["+1.07 → +0.00 m/s"]}},
-    }
-    for kind, cords in (("single", 1), ("double", 2)):
-        for experiment in read_experiments(EXPERIMENTS / kind, cords)[0]:
-            answers = [answer.text for answer in experiment.answers]
-            question = {
-                "question": experiment.question,
-                "answers": answers,
-                "votes": [10, 3, 9, 100, 0][: len(answers)],
-                "asking": True,
-            }
-            longest = max(answers, key=len)
-            measured = {
-                "asking": False,
-                "reply": f"You said: C, {longest}.",
-                "happened": {"title": f"What happened: C, {longest}.", "why": experiment.why},
-            }
-            measured["happened"]["rows"] = []
-            name = f"{kind}, {experiment.name}"
-            states[f"{name}, asked"] = {"question": question}
-            states[f"{name}, measured"] = {"question": question | measured, **five}
-    return states
-
-
-# Show states, one after the other; return what is wrong in each: parts of the panel that cover
-# each other, or leave what is around them; and bars of different scales.
-FAULTS = """([states, numbers]) => {
-    const { motion } = state;
-    const faults = [];
-    for (const name in states) {
-        show({ motion: numbers, ...states[name] });
-        faults.push(...[...unfit(), ...uneven()].map(fault => `${name}: ${fault}`));
-    }
-    show({ motion });
-    return faults;
-
-    function show(changes) {
-        const all = { question: null, bars: null, hit: null, ...changes };
-        Object.assign(state, all);
-        Object.keys(all).forEach(update);
-    }
-
-    function unfit() {
-        const boxes = find(".panel :is(button, svg, .track)").flatMap(part => boxesOf(part, part));
-        const texts = document.createTreeWalker(one(".panel"), NodeFilter.SHOW_TEXT);
-        for (let text; text = texts.nextNode();) boxes.push(...boxesOf(text, text.parentElement));
-        const visible = boxes.filter(({ part }) => part.checkVisibility()
-            && !part.closest(".head, .sheet, .unseen"));
-        const wrong = visible.filter(isOutside).map(({ part }) => `${part.outerHTML} is outside`);
-        visible.forEach((box, i) => visible.slice(0, i).forEach(other => {
-            const isPart = box.part.contains(other.part) || other.part.contains(box.part);
-            if (!isPart && cover(box, other))
-                wrong.push(`${box.part.outerHTML} on ${other.part.outerHTML}`);
-        }));
-        return wrong;
-    }
-
-    function boxesOf(node, part) { // letters are lower than their line
-        const range = new Range();
-        range.selectNode(node);
-        return [...range.getClientRects()].map(({ left, right, top, bottom, height }) => (
-            { part, left, right, top: top + height / 8, bottom: bottom - height / 8 }));
-    }
-
-    function cover(a, b) {
-        return a.left + 1 < b.right && b.left + 1 < a.right
-            && a.top + 1 < b.bottom && b.top + 1 < a.bottom;
-    }
-
-    function isOutside({ part, left, right, top, bottom }) {
-        for (let around = part; around; around = around.parentElement) {
-            const { display, position } = getComputedStyle(around);
-            const box = around.getBoundingClientRect();
-            const fits = box.left - 1 <= left && right <= box.right + 1
-                && box.top - 1 <= top && bottom <= box.bottom + 1;
-            if (!fits && display !== "contents") return true;
-            if (position === "fixed") return false;
-        }
-    }
-
-    function uneven() {
-        const wrong = [];
-        for (const chart of [".votes", ".momenta"]) {
-            const bars = find(`${chart} div`).map(row => ({
-                number: parseFloat(row.lastChild.textContent),
-                bar: row.querySelector("i").getBoundingClientRect(),
-                track: row.children[1].getBoundingClientRect(),
-            }));
-            const energy = chart === ".momenta" && bars.pop();
-            if (energy && energy.bar.width !== energy.track.width) wrong.push("energy");
-            const largest = bars.find(({ number }) => Math.abs(number) > 9);
-            for (const { number, bar, track } of bars) {
-                const scale = largest.bar.width / Math.abs(largest.number);
-                const start = energy ? track.x + track.width / 2 : track.x;
-                const sides = [start, start + scale * number].sort((a, b) => a - b);
-                const isRight = track.x === largest.track.x && track.width === largest.track.width
-                    && Math.abs(bar.left - sides[0]) < 1 && Math.abs(bar.right - sides[1]) < 1;
-                if (!isRight) wrong.push(`${chart}: ${number}`);
-            }
-        }
-        return wrong;
-    }
-}"""
-
-
-@pytest.mark.parametrize(
-    ("width", "height"), slow_except({(1024, 768), (1366, 768), (1920, 1080)}, SIZES)
-)
-def test_in_present_all_is_in_sight_in_each_experiment_and_bars_have_one_scale(
-    shared, width, height
-):
-    press(shared, "Present")
-    shared.set_viewport_size({"width": width, "height": height})
-    shared.wait_for_function("width => innerWidth === width", arg=width)
-    assert shared.evaluate(FAULTS, [lesson(), NUMBERS]) == []
 
 
 def test_sliders_of_the_bobs_say_in_words_what_they_change(shared):
