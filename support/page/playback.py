@@ -1,6 +1,7 @@
 """How the time goes on: pause, Step, One tick, and the speed."""
 
 from collections.abc import Callable
+from math import inf
 
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
@@ -63,7 +64,7 @@ class Playback:
         """Stop the time, or let it go on; an open question waits for an answer."""
         if self.can_go_on():
             self.is_paused = not self.is_paused
-            self.questions.rest_end = None
+            self.questions.end_rest(inf)
 
     def can_go_on(self) -> bool:
         """Return whether no question is open; an open one waits for its answer, and says so."""

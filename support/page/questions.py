@@ -73,6 +73,8 @@ class Questions:
         self.again = None
         self.drop()
         if experiment is None or not experiment.question or not self.ask_first:
+            if self.word == WAITS:  # there is no question any more
+                self.word = ""
             return
         self.measurement = Measurement(experiment, motion)
         if again is None:

@@ -46,7 +46,8 @@ class Start(NamedTuple):
     lifted: int | None  # bobs
     remark: str = ""  # a line on the page
     experiment: Experiment | None = None  # of your own, to begin with
-    ghosts: Ghosts | None = None  # of a file; their angle counts if angles say none
+    # Of a file; their angle counts if neither angles nor an experiment say one
+    ghosts: Ghosts | None = None
 
 
 class Viewer(Player):
@@ -74,7 +75,8 @@ class Viewer(Player):
         self.cradle_settings = CradleSettings(cradle, self.next_cradle, self.chooser)
         self.ghost_file = GhostFile(cradle.angle_keys, self.next_cradle, self.cradle_settings)
         if start.ghosts:
-            self.ghost_file.take(start.ghosts, with_angle=start.angles[0] is None)
+            says_angle = start.experiment is not None or start.angles[0] is not None
+            self.ghost_file.take(start.ghosts, with_angle=not says_angle)
         # Its motion
         self.questions = Questions()
         self.slow_hits = SlowHits(cradle)
@@ -157,9 +159,10 @@ class Viewer(Player):
             control.set(value)
 
     def leave_moved_cradle(self) -> None:
-        """Leave the experiment, and the slow hits, when you hold a bob: it moves in another way."""
-        if self.held_bob.index is not None:
+        """Leave the experiment once you have moved a bob, and slow hits while you hold it."""
+        if self.held_bob.has_moved:
             self.chooser.leave_experiment()
+        if self.held_bob.index is not None:
             self.slow_hits.clear()
 
     def progress(self) -> tuple[float, float]:

@@ -212,6 +212,35 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     assert asking.state["word"] == ""
 
 
+def test_a_bob_that_is_moved_and_let_go_in_one_frame_ends_the_question(asking):
+    """As on a slow line."""
+    asking.give("answer", asking.state["question"]["key"], 0)
+    bob = asking.viewer.cradle.bobs()[4].pos
+    asking.tell("grab", bob.value, [0, 0, -1])
+    asking.tell("drag", (bob + vector(0.01, 0, 0)).value, [0, 0, -1])
+    asking.give("let_go")
+    assert question_of(asking) is None
+    assert asking.state["changed"]
+
+
+def wait_for_rest(asking):
+    """Wait until the experiment is measured, and the picture rests."""
+    while asking.viewer.questions.rest_end is None:
+        asking.wait(0.1)
+
+
+def test_a_pause_in_the_rest_of_a_slow_run_ends_slow_motion(asking):
+    asking.give("answer", asking.state["question"]["key"], 0)
+    wait_for_rest(asking)
+    asking.give("repeat", True)
+    asking.wait(0.1)
+    wait_for_rest(asking)
+    assert asking.state["speed"] == 0.1
+    asking.give("pause")
+    asking.give("pause")
+    assert asking.state["speed"] == 1
+
+
 def test_hands_are_counted_and_ghosts_swing_as_far_as_the_answer_says(asking):
     """The picture rests for three seconds at the measurement.
 

@@ -107,6 +107,13 @@ def test_a_bob_that_was_let_go_begins_there(options_of, rig):
     assert options_of(rig) == "--angle=30 --lift=1"
 
 
+def test_ghosts_of_a_file_leave_an_experiment_as_it_is(start, tmp_path):
+    (tmp_path / "film.csv").write_text("start,0,-20\nt,theta_1\n0,1\n")
+    viewer = start(f"--experiment {BUILT_IN} --ghosts film.csv")
+    assert viewer.cradle.values("theta")[:2] == viewer.cradle.values("theta")[:1] * 2
+    assert viewer.chooser.whole_experiment()
+
+
 def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
     """Without a question, nothing is asked."""
     viewer = start("--mass 0.1")

@@ -87,12 +87,14 @@ class Site:
         """
         if name in self.files:
             return HttpResponse("200 OK", Path(name).suffix, content_of(self.files[name]))
-        pictures = self.film() if name == RUN_FILE else []
-        if "." in name and not pictures:
+        if "." in name and name != RUN_FILE:
             return HttpResponse("404 Not Found")
         if not self.has_key(parameters):
             return HttpResponse("403 Forbidden", content=NO_KEY.encode())
-        if pictures:
+        if name == RUN_FILE:
+            pictures = self.film()
+            if not pictures:
+                return HttpResponse("404 Not Found")
             from support.page.server.run_file import (
                 run_as_html,  # not at the start: it takes a moment
             )
