@@ -8,6 +8,7 @@ if __name__ == "__main__":
 
 import sys
 from argparse import Namespace
+from pathlib import Path
 from typing import NoReturn
 
 import support.headless_vpython  # first: it takes VPython's place
@@ -16,9 +17,11 @@ from src.visualize_cradle_run import main as cradle_main
 from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
 from support.cradle.player import run
+from support.cradle.settings import Settings, settings_of
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import has_data, require_replaceable
-from support.files.valid_cradle import CradleCsv, read_cradle
+from support.files.experiments import read_experiment
+from support.files.valid_cradle import read_cradle
 from support.main_page import Loop
 from support.start.early import stop_on_signals
 from support.start.mistake import handout_frames, report_endless_loop, report_mistake
@@ -37,37 +40,43 @@ def main() -> None:
     recording. Otherwise the exit status is the one that stop_on_signals chose for the signal.
     """
     options = read_text_options()
+    experiment = None
     try:
         csv = read_cradle(Snapshot(options.csv))
         require_lifted(options.lift, csv)
+        if options.experiment is not None:
+            experiment = read_experiment(Path(options.experiment), cords=1)
         if options.record not in (None, "-"):
             require_replaceable("--record", options.record, has_data, "data of a cradle")
     except ValueError as error:
         refuse(error)
     cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
+    settings = Settings(csv, [options.angle], options.lift, cradle.es, cradle.mass)
+    if experiment:
+        settings = settings_of(experiment)
     loop, remark = what_there_is(cradle_main, cradle)
 
     try:
         stop_on_signals()
-        play(loop, cradle, csv, options, remark or cradle.slow_remark())
+        play(loop, cradle, settings, options, remark or cradle.slow_remark())
     except KeyboardInterrupt as stopped:
         end_stopped(stopped, options.record)
     except (Exception, SystemExit) as error:
         end_failed(error)
 
 
-def play(loop: Loop, cradle: Cradle, csv: CradleCsv, options: Namespace, remark: str) -> None:
+def play(loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, remark: str) -> None:
     """Record the data of a cradle, or show it as well as the output can."""
     if options.record:
-        record(loop, cradle, csv, options, remark)
+        record(loop, cradle, settings, options, remark)
     elif has_terminal():
-        pictures = Pictures(cradle, csv, options, remark)
+        pictures = Pictures(cradle, settings, options, remark)
         with own_screen(lambda: pictures.last_lines):
             run(loop, pictures)
     else:
         if remark:
             print(remark)
-        run(loop, Lines(cradle, csv, options))
+        run(loop, Lines(cradle, settings, options))
 
 
 def end_stopped(stopped: KeyboardInterrupt, record: str | None) -> NoReturn:

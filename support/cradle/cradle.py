@@ -11,10 +11,11 @@ from vpython import vector
 from support import waits
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
-from support.cradle.collision import AS_MADE, Collision, name_with, Source
 from support.cradle.dragging import move, push_others
 from support.cradle.functions import scope_of, takes_rule
+from support.cradle.settings import Source
 from support.energy import bob_motions, energies, momentum
+from support.files.experiments import Hidden
 from support.pendulum import cord_angles, discard, Pendulum
 from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
 from support.start.preview import unwritten_in
@@ -66,13 +67,11 @@ class Cradle:
         self.needs = {"extract_and_convert", self.make_name}  # or there is no picture
         if self.mass is not None:
             self.needs.add(UNIFORM_MASS)
-        self.collisions = [AS_MADE]  # the ways to choose from
-        self.collision = AS_MADE
-        self.add_collisions(options)
+        self.es = self.es_of(options)  # of pendula with the e of all, at the start
 
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
-        self.original_es: list[float] = []  # the e with which they were made
+        self.hidden: Hidden | None = None  # a class finds it: nothing shows it
         self.made_angles: list[float] = []  # rad: their release angle
         self.made_lifted = 0  # the number of lifted pendula when they were made
         self.known_keys: set[str] = set()  # of a pendulum
@@ -87,28 +86,24 @@ class Cradle:
         collide = self.scope.get(self.collide_name, self.tick_function)
         self.takes_rule = takes_rule(self.tick_function, collide)
 
-    def add_collisions(self, options: Namespace) -> None:
-        """Add the ways to collide that the written functions allow, and choose that of options."""
-        unwritten = unwritten_in("special_cradles")
-        self.can_set_e = UNIFORM_E not in unwritten  # of all pendula
-        for e, function, is_chosen in (
-            (1, "elastic_newton_cradle", options.elastic),
-            (0, "inelastic_newton_cradle", options.inelastic),
+    def es_of(self, options: Namespace) -> Source | None:
+        """Return the source of the e that options name; None stands for that of the CSV."""
+        self.can_set_e = UNIFORM_E not in unwritten_in("special_cradles")  # of all pendula
+        for function, is_chosen in (
+            ("elastic_newton_cradle", options.elastic),
+            ("inelastic_newton_cradle", options.inelastic),
         ):
-            collision = Collision(name_with(e), Source(self.scope[function]))
-            if function not in unwritten and self.can_set_e:
-                self.collisions.append(collision)
             if is_chosen:
-                self.collision = collision
                 self.needs |= {function, UNIFORM_E}
-        if options.e is not None:
-            self.collision = self.uniform_e(options.e)
-            self.collisions.append(self.collision)
-            self.needs.add(UNIFORM_E)
+                return Source(self.scope[function])
+        if options.e is None:
+            return None
+        self.needs.add(UNIFORM_E)
+        return self.uniform_e(options.e)
 
-    def uniform_e(self, e: float) -> Collision:
-        """Return the way to collide in which all pendula have this e."""
-        return Collision(name_with(e), Source(self.scope[UNIFORM_E], (e,)))
+    def uniform_e(self, e: float) -> Source:
+        """Return the source of pendula that all have this e."""
+        return Source(self.scope[UNIFORM_E], (e,))
 
     def slow_remark(self) -> str:
         """Return why the program is slow although nobody has changed a function, or nothing."""
@@ -134,7 +129,6 @@ class Cradle:
         self.places = {tuple(axle.pos.value): index for index, axle in enumerate(self.axles())}
         self.count = len(pend_list)
         self.known_keys = {*columns, *keys, "objects"}
-        self.original_es = self.values("e")
         self.note_made_angles()
 
     def require_same_pendula(self) -> None:
@@ -178,14 +172,10 @@ class Cradle:
         if mass is not None:
             self.adopt("mass", Source(self.scope[UNIFORM_MASS], (mass,)), csv)
 
-    def use_collision(self, collision: Collision, csv: str) -> None:
-        """Let bobs collide in this way from now on; csv is a path."""
-        self.collision = collision
-        if collision.source:
-            self.adopt("e", collision.source, csv)
-            return
-        for pend, e in zip(self.pend_list, self.original_es, strict=True):
-            pend["e"] = e
+    def use_es(self, source: Source | None, csv: str) -> None:
+        """Set the e of all pendula to those of a source, unless it is None; csv is a path."""
+        if source:
+            self.adopt("e", source, csv)
 
     # --- the release ---------------------------------------------------------------------------
 
@@ -266,6 +256,15 @@ class Cradle:
     def values(self, key: str) -> list:
         """Return pend[key] of each pendulum."""
         return [pend[key] for pend in self.pend_list]
+
+    def shown(self, key: str) -> list:
+        """Return pend[key] of each pendulum, with None for what is hidden."""
+        values = self.values(key)
+        if self.hidden and self.hidden.column == key:
+            for row in self.hidden.rows:
+                if row < len(values):
+                    values[row] = None
+        return values
 
     def coordinates(self) -> dict[str, float]:
         """Return coordinates (rad) and their rates (rad/s) by name: theta_1, theta_2, ..."""

@@ -14,6 +14,7 @@ Sample = dict[str, float]  # the data of a moment, by the names of the columns o
 # Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
 FAST_PART = 0.1
 TOGETHER = 0.1  # bobs whose angles differ by less than this part swing together
+DIGITS = 2  # of a speed behind the point; slow cradles need more
 KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum is none
 
 
@@ -60,6 +61,8 @@ class Motion:
     def reading(self) -> str:
         """Return the time and the energy as text of constant width."""
         time = f"t = {self.time():.2f} s".ljust(16)
+        if self.cradle.hidden:
+            return time
         total, kinetic, potential = map(percent_as_text, self.percents().values())
         return f"{time}energy {total} (kinetic {kinetic}, potential {potential})"
 
@@ -74,14 +77,14 @@ class Motion:
         noun = self.cradle.theta_bob if len(farthest) == 1 else f"{self.cradle.theta_bob}s"
         bobs = f"{noun} {', '.join(farthest)}"
         side = "left" if angle < 0 else "right"
-        energy = percent_as_text(self.percents()["energy"]).strip()
-        text = (
-            f"t = {self.time():.2f} s, energy {energy}, {bobs} at {abs(angle):.0f} degrees {side}"
-        )
+        texts = [f"t = {self.time():.2f} s"]
+        if not self.cradle.hidden:
+            texts.append(f"energy {percent_as_text(self.percents()['energy']).strip()}")
+        texts.append(f"{bobs} at {abs(angle):.0f} degrees {side}")
         series = self.impacts.series
         if series:
-            text += f", hits: {series[-1]}"
-        return text
+            texts.append(f"hits: {series[-1]}")
+        return ", ".join(texts)
 
     def percents(self, pend_list: list[Pendulum] | None = None) -> dict[str, float]:
         """Return the energy and its two parts, in percent of the energy at the start.
@@ -99,17 +102,14 @@ class Motion:
         """Return the data of this moment by the names of the columns of a data file.
 
         They are t (s), the coordinates (rad, rad/s), the three energies (J), and the momentum to
-        the right (kg m/s).
+        the right (kg m/s). While a mass or e is hidden, there are only the first two.
         """
+        sample = {"t": self.time(), **self.cradle.coordinates()}
+        if self.cradle.hidden:
+            return sample
         kinetic, potential = self.cradle.energies()
-        return {
-            "t": self.time(),
-            **self.cradle.coordinates(),
-            "kinetic": kinetic,
-            "potential": potential,
-            "total": kinetic + potential,
-            "momentum": self.cradle.momentum(),
-        }
+        energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
+        return sample | energies | {"momentum": self.cradle.momentum()}
 
 
 def keeps_momentum(hit: Hit) -> bool:
@@ -128,3 +128,18 @@ def percent_as_text(percent: float) -> str:
     It has no more decimals: the next ones would show the errors of the tick.
     """
     return f"{percent:5.1f} %" if percent < 1000 else "> 999 %"
+
+
+def digits_for(speed: float) -> int:
+    """Return how many digits behind the point the speeds of a cradle need; speed is the largest."""
+    digits = DIGITS
+    while 0 < speed * 10**digits < 50:
+        digits += 1
+    return digits
+
+
+def signed(number: float, digits: int = 3) -> str:
+    """Return a momentum (kg m/s), or a velocity, as text with its sign."""
+    if abs(number) >= 1e4:
+        return f"{number:+.2e}"
+    return f"{round(number, digits) + 0.0:+.{digits}f}"  # + 0.0: not -0.000

@@ -9,7 +9,6 @@ the cradle, and plans the next ticks (plan), or wants another cradle (next_cradl
 then ends, and begins again.
 """
 
-from collections.abc import Sequence
 from contextlib import ExitStack
 from math import inf
 from time import perf_counter
@@ -20,7 +19,7 @@ from support.cradle.hits import Hit, Hits
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
 from support.cradle.settings import NextCradle, Settings
-from support.files.valid_cradle import clean_copy, CradleCsv
+from support.files.valid_cradle import clean_copy
 from support.main_page import Loop, Page
 from support.start.early import import_now
 from support.start.mistake import MistakeError
@@ -46,21 +45,17 @@ class Player(Page):
     def __init__(
         self,
         cradle: Cradle,
-        csv: CradleCsv,
-        angles: Sequence[float | None],
-        lifted: int | None,
+        settings: Settings,
         impacts: int,
         step_seconds: float,
         pace: RealTime | None = None,
     ):
-        """Play the cradle of this CSV; keep the last `impacts` series of hits.
+        """Play the cradle of these settings; keep the last `impacts` series of hits.
 
-        angles (rad) are the release angles, lifted is the number of bobs to lift; None keeps main's
-        own value. step_seconds (s) is the time from sample to sample, to the nearest whole number
-        of ticks. pace keeps the time; without one, it is real time.
+        step_seconds (s) is the time from sample to sample, to the nearest whole number of ticks.
+        pace keeps the time; without one, it is real time.
         """
         self.cradle = cradle
-        settings = Settings(csv, list(angles), lifted, cradle.collision, cradle.mass)
         self.next_cradle = NextCradle(settings, separating=not cradle.takes_rule)
         self.motion = Motion(cradle, impacts)
         self.held_bob = HeldBob(cradle)
@@ -161,7 +156,10 @@ class Player(Page):
         with self.copy:
             self.cradle.accept(pend_list, settings.csv.columns)
             self.cradle.use_mass(settings.mass, self.path)
-            self.cradle.use_collision(settings.collision, self.path)
+            self.cradle.use_es(settings.es, self.path)
+        hidden = settings.hidden
+        is_there = hidden is not None and hidden.rows[0] < len(pend_list)
+        self.cradle.hidden = hidden if is_there else None
         self.is_shown = True
         if settings.poses and len(settings.poses) == len(pend_list):  # main may read another file
             self.cradle.pose(settings.poses)

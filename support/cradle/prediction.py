@@ -3,14 +3,13 @@
 from math import degrees, inf
 
 from support.constants import R_PARAM
-from support.cradle.motion import FAST_PART, Motion
+from support.cradle.motion import digits_for, FAST_PART, Motion
 from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
 # Of the fastest bob's speed: a slower bob only crosses the gap to the next one, and does not swing.
 MOVING_PART = 1e-3
 MOST_SWINGS = 3  # small swings: a measurement takes no longer than these
-DIGITS = 2  # of a speed behind the point; slow cradles need more
 
 
 class Measurement:
@@ -112,10 +111,8 @@ class Measurement:
 
     def numbers(self) -> dict[str, str]:
         """Return the measured numbers as text, by the names that an experiment's text can have."""
-        digits = DIGITS
-        while 0 < self.fastest * 10**digits < 50:
-            digits += 1
-        numbers = {"energy": f"{self.energy:.0f}"}
+        digits = digits_for(self.fastest)
+        numbers = {"energy": f"{self.energy:.0f}", "hits": f"{self.hit_count}"}
         for i in range(len(self.swings)):
             numbers[f"swing_{i + 1}"] = f"{abs(self.swings[i]):.0f}"
             numbers[f"speed_{i + 1}"] = f"{self.speeds[i]:.{digits}f}"

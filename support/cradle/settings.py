@@ -1,9 +1,17 @@
 """What main makes a cradle from, and what replaces parts of it."""
 
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from support.cradle.collision import Collision
+from support.files.experiments import Experiment, Hidden
 from support.files.valid_cradle import CradleCsv
+
+
+class Source(NamedTuple):
+    """A function that returns pendula, and its arguments behind the path of the CSV."""
+
+    make: Callable
+    arguments: tuple[float, ...] = ()
 
 
 class Settings(NamedTuple):
@@ -12,10 +20,18 @@ class Settings(NamedTuple):
     csv: CradleCsv
     angles: list[float | None]  # of the release (rad)
     lifted: int | None  # bobs
-    collision: Collision
+    es: Source | None  # of pendula with the e of all
     mass: float | None  # kg, of all pendula
     # Of each pendulum's cords, from straight down (rad), in place of angles and lifted
     poses: list[list[float]] | None = None
+    hidden: Hidden | None = None  # nothing shows it
+
+
+def settings_of(experiment: Experiment) -> Settings:
+    """Return the settings that make the cradle of an experiment."""
+    angles: list[float | None] = [None] * len(experiment.poses[0])
+    poses, hidden = experiment.poses, experiment.hidden
+    return Settings(experiment.csv, angles, None, None, None, poses, hidden)
 
 
 class NextCradle:

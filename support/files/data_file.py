@@ -2,6 +2,7 @@
 
 import errno
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -13,6 +14,7 @@ from typing import TextIO
 from support.files.cradle_csv import LARGEST_FILE, naming, reason
 
 RUN_LINE = "<!doctype html><!-- A run of Newton's cradle -->"  # the first one of a saved run
+INDEX_LINE = "<!doctype html><!-- Runs of Newton's cradle -->"  # of a page with links to runs
 EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
 
 
@@ -45,12 +47,17 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
 
 def has_data(line: bytes) -> bool:
     """Return whether this is the first line of a file with data of a cradle."""
-    return line.startswith(b"t,theta_1,") and line.endswith(b",momentum")
+    return re.fullmatch(rb"t,theta_1,(.*,)?(momentum|omega_\d+)", line) is not None
 
 
 def is_run(line: bytes) -> bool:
     """Return whether this is the first line of a saved run."""
     return line == RUN_LINE.encode()
+
+
+def is_index(line: bytes) -> bool:
+    """Return whether this is the first line of a page with links to runs."""
+    return line == INDEX_LINE.encode()
 
 
 def require_replaceable(

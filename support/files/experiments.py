@@ -17,10 +17,11 @@ EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
 
 # The names of lines; the other lines are answers.
 CRADLE = ["name", "theta", "phi", *SETTABLE]
-NAMES = [*CRADLE, "question", "why"]
+NAMES = [*CRADLE, "hidden", "question", "why"]
 ANGLE = "an angle from -180 to 180 (degrees)"
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
-MEASURED = re.compile(r"\{(?:energy|(swing|speed|before)_([1-9]\d*))\}")
+MEASURED = re.compile(r"\{(?:energy|hits|(swing|speed|before)_([1-9]\d*))\}")
+HIDDEN = re.compile(r"e|mass ([1-9]\d*)")
 YOUR_CSV = "My cradle"  # the name on the page that no experiment can have
 
 
@@ -28,6 +29,16 @@ class Answer(NamedTuple):
     text: str
     # That it predicts: the angles (degrees) of the bobs, farthest from straight down
     swings: list[float]
+
+
+class Hidden(NamedTuple):
+    """A value that a class finds by measuring: until then, nothing shows it."""
+
+    name: str  # such as "mass 1"
+    column: str  # mass or e
+    rows: list[int]  # the indices of the pendula that have it
+    question: str
+    why: str  # how one finds it
 
 
 class Experiment(NamedTuple):
@@ -40,6 +51,7 @@ class Experiment(NamedTuple):
     explained: int  # the index of the answer that why explains
     why: str
     poses: list[list[float]]  # of each pendulum's cords at the start (rad)
+    hidden: Hidden | None = None  # in place of question, answers and why
 
 
 def read_experiments(folder: str | Path, cords: int) -> tuple[list[Experiment], list[str]]:
@@ -82,6 +94,8 @@ def read_experiment(file: Path, cords: int) -> Experiment:
     experiment = Experiment(file.stem, file, csv, name, "", [], 0, "", poses)
     if lines.texts.keys() <= {*CRADLE}:
         return experiment
+    if "hidden" in lines.texts:
+        return experiment._replace(hidden=lines.hidden(columns))
     answers = lines.answers()
     return experiment._replace(
         question=lines.text("question"),
@@ -200,6 +214,23 @@ class ExperimentText:
             )
         return answers
 
+    def hidden(self, columns: dict[str, list[float]]) -> Hidden:
+        """Return what is hidden in a cradle with these numbers: a mass, or the e of all."""
+
+        def is_one_value(text: str) -> bool:
+            match = HIDDEN.fullmatch(text)
+            if not match:
+                return False
+            if match[1]:
+                return int(match[1]) <= self.count
+            return len({*columns["e"]}) == 1 and columns["e"][0] > 0
+
+        allowed = f"mass and the number of a bob, 1 to {self.count}, or e, if all have one above 0"
+        name = self.text("hidden", is_one_value, allowed)
+        column, _, bob = name.partition(" ")
+        rows = [int(bob) - 1] if bob else [*range(self.count)]
+        return Hidden(name, column, rows, self.text("question"), self.text("why"))
+
     def measured(self, name: str) -> str:
         """Return the text of a line that can have measured numbers of the bobs in braces."""
         text = self.text(name)
@@ -207,7 +238,8 @@ class ExperimentText:
             match = MEASURED.fullmatch(field)
             if not match or int(match[2] or 1) > self.count:
                 raise ValueError(
-                    f"{self.file}, {name}: found {field}, allowed is {{energy}}, or swing_, speed_ "
-                    f"or before_ with the number of a bob, 1 to {self.count}, in braces"
+                    f"{self.file}, {name}: found {field}, allowed is {{energy}}, {{hits}}, or "
+                    f"swing_, speed_ or before_ with the number of a bob, 1 to {self.count}, "
+                    "in braces"
                 )
         return text

@@ -6,10 +6,9 @@ from typing import Any, NamedTuple
 
 from vpython import vector
 
-from support.cradle.motion import Motion, percent_as_text
+from support.cradle.motion import Motion, percent_as_text, signed
 from support.page.graph import ENERGIES, to_css
 from support.page.questions import Questions
-from support.page.readout import signed
 from support.page.scene.marks import GREY, Marks
 from support.page.scene.slow_hits import SlowHits
 
@@ -49,13 +48,13 @@ class Bars:
             self.after_hits = self.marks.momenta_of(self.motion.cradle.pend_list)
 
     def chart(self) -> dict[str, Any] | None:
-        """Return a title, and the bars; None without arrows."""
+        """Return a title, and the bars; None without arrows, and while something is hidden."""
         marks = self.marks
-        if not marks.has_arrows:
+        if not marks.has_arrows or self.motion.cradle.hidden:
             return None
         momenta = marks.momenta
         title = "Momentum (kg m/s)"
-        if self.questions.rest_end is not None and self.after_hits:
+        if self.questions.is_resting() and self.after_hits:
             momenta = self.after_hits
             title = "Momentum after the hits (kg m/s)"
         bars = momentum_bars(momenta, marks.largest, self.motion.cradle.colors())

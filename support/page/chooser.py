@@ -1,8 +1,7 @@
 """What main makes the cradle from: your CSV with your settings, or an experiment."""
 
-from support.cradle.collision import AS_MADE
 from support.cradle.cradle import Cradle
-from support.cradle.settings import NextCradle, Settings
+from support.cradle.settings import NextCradle, settings_of
 from support.files.cradle_csv import LiveFile
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import CradleCsv, read_cradle
@@ -44,7 +43,14 @@ class Chooser:
             self.choose(experiment.name)
         self.pictures = {YOUR_CSV: at_rest(self.saved, self.cords)}
         for name, known in self.experiments.items():
-            self.pictures[name] = gallery_picture(known.csv, known.poses)
+            self.pictures[name] = gallery_picture(known.csv, known.poses, known.hidden)
+
+        self.sheets = {}
+        for name, known in self.experiments.items():
+            question = known.hidden.question if known.hidden else known.question
+            if question:
+                answers = [answer.text for answer in known.answers]
+                self.sheets[name] = {"question": question, "answers": answers}
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
@@ -64,25 +70,27 @@ class Chooser:
 
     def next_name(self) -> str:
         """Return the name of the next experiment, after the last one the first."""
-        names = [*self.experiments] or [YOUR_CSV]
-        if not self.experiment:
-            return names[0]
-        return names[(names.index(self.experiment.name) + 1) % len(names)]
+        return self.name_after([*self.experiments])
+
+    def previous_name(self) -> str:
+        """Return the name of the experiment before this one, before the first one the last."""
+        return self.name_after([*self.experiments][::-1])
+
+    def name_after(self, names: list[str]) -> str:
+        """Return which of these names comes after the present one."""
+        after = names.index(self.name()) + 1 if self.experiment else 0
+        return (names[after:] or names or [YOUR_CSV])[0]
 
     def choose(self, name: str) -> None:
         """Let main make the cradle with this name: an experiment, or your CSV with its settings."""
         if not self.experiment:
             self.yours = self.next_cradle.settings
             if name == YOUR_CSV:  # again: without what you have changed on the page
-                self.yours = self.yours._replace(csv=self.saved)
+                self.yours = self.first._replace(csv=self.saved)
         self.experiment = self.experiments.get(name)
         self.is_changed = False
         if self.experiment:
-            angles: list[float | None] = [None] * self.cords
-            poses = self.experiment.poses
-            self.next_cradle.settings = Settings(
-                self.experiment.csv, angles, None, AS_MADE, None, poses
-            )
+            self.next_cradle.settings = settings_of(self.experiment)
         else:
             self.next_cradle.settings = self.yours
         self.next_cradle.want()
@@ -106,7 +114,8 @@ class Chooser:
         except ValueError as error:
             self.error = f"{error}. {STILL_THERE}"
             return
-        self.choose(YOUR_CSV)
+        if self.experiment:
+            self.choose(YOUR_CSV)
         self.saved = csv
         self.pictures[YOUR_CSV] = at_rest(csv, self.cords)
         self.next_cradle.want(csv=csv)
@@ -132,4 +141,5 @@ class Chooser:
             "mistakes": self.mistakes,
             "pictures": dict(self.pictures),
             "changed": self.has_changes(),
+            "sheets": self.sheets,
         }

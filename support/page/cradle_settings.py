@@ -1,4 +1,4 @@
-"""The cradle's own settings: its release, its number of bobs, their masses, and their collisions.
+"""The cradle's own settings: its release, its number of bobs, their masses, and their e.
 
 The sliders and the table of the page change them. Each change lets main make a new cradle.
 """
@@ -6,13 +6,11 @@ The sliders and the table of the page change them. Each change lets main make a 
 from typing import NamedTuple
 
 from support.columns import CHECKED, SETTABLE, to_number
-from support.cradle.collision import AS_MADE, Collision
 from support.cradle.cradle import Cradle
 from support.cradle.settings import NextCradle
 from support.files.experiments import COLORS
 from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE
 from support.page.chooser import Chooser
-from support.page.graph import to_css
 from support.page.names import State
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.signs import odd_sign
@@ -106,7 +104,8 @@ class CradleSettings:
         place = f"{row},{column}"
         self.refused.pop(place, None)
         numbers = {name: self.cradle.values(name) for name in SETTABLE}
-        if row >= len(numbers[column]):  # you may type faster than the page shows a new table
+        is_there = row < len(numbers[column])  # you may type faster than the page shows a new table
+        if not is_there or self.cradle.hidden:
             return
         allowed = CHECKED[column].allowed()
         fits = CHECKED[column].allows(text.strip())
@@ -117,7 +116,7 @@ class CradleSettings:
                 fits = are_in_range(numbers[column])
         if fits:
             edited = with_numbers(self.next_cradle.settings.csv, numbers)
-            self.change(csv=edited, mass=None, collision=AS_MADE)
+            self.change(csv=edited, mass=None, es=None)
         else:
             self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}{odd_sign(text)}")
         self.refused_in = self.next_cradle.settings.csv
@@ -128,32 +127,9 @@ class CradleSettings:
 
     # --- collisions ----------------------------------------------------------------------------
 
-    def collisions(self) -> dict[str, Collision]:
-        """Return the ways to collide in the menu by name; the present one is always there."""
-        named = {}
-        for collision in [*self.cradle.collisions, self.cradle.collision]:
-            named[self.name_on_page(collision)] = collision
-        return named
-
-    def collision(self) -> str:
-        """Return the name of the present way to collide."""
-        return self.name_on_page(self.cradle.collision)
-
-    def name_on_page(self, collision: Collision) -> str:
-        """Return the name of a way to collide on the page."""
-        if collision == AS_MADE and self.chooser.is_edited():
-            return "as changed"
-        if collision == AS_MADE and self.chooser.experiment:
-            return "as in the experiment"
-        return collision.name
-
-    def set_collision(self, name: str) -> None:
-        """Let the bobs collide in the way with this name."""
-        self.change(collision=self.collisions()[name])
-
     def set_e(self, e: float) -> None:
         """Let the bobs collide with this e of all."""
-        self.change(collision=self.cradle.uniform_e(e))
+        self.change(es=self.cradle.uniform_e(e))
 
     def set_separating(self, separating: bool) -> None:
         """Let separating bobs collide, too, or not."""
@@ -164,10 +140,9 @@ class CradleSettings:
         """Return what the page must know of the pendula, and their table."""
         cradle = self.cradle
         return {
-            "colors": [to_css(color) for color in cradle.colors()],
             "columns": SETTABLE,
             "keys": [*cradle.angle_keys, *cradle.rate_keys],
-            "table": {column: cradle.values(column) for column in SETTABLE},
+            "table": {column: cradle.shown(column) for column in SETTABLE},
             "refused": {place: refusal._asdict() for place, refusal in self.refusals().items()},
             "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
         }

@@ -32,8 +32,10 @@ from support.page.playback import Playback, SLOWLY
 from support.page.questions import Questions
 from support.page.scene.marks import Marks
 from support.page.scene.slow_hits import SlowHits
+from support.page.unknown import Unknown
 
 SPEEDS = (0.1, 2.0)  # times real time: the ends of the slider
+MOST_HANDS = 999
 MOST_BOBS = 9  # of the slider, if the CSV has no more
 MASSES = (0.5, 10.0)  # kg: the ends of the slider, if the bob's mass is between them
 ANGLES_IN_WORDS = {
@@ -60,11 +62,23 @@ def cradle_controls(
 ) -> list[Control]:
     """Return the controls of how the cradle is released, and of its bobs."""
 
+    def first_mass() -> float | None:
+        return cradle.shown("mass")[0]
+
     def mass_limits() -> tuple[float, float]:
-        mass = cradle.values("mass")[0]
+        mass = first_mass() or MASSES[0]
         return min(mass, MASSES[0]), max(mass, MASSES[1])
 
-    def e_as_text(most: float) -> str:
+    def largest_e() -> float | None:
+        es = cradle.shown("e")
+        return None if None in es else max(es)
+
+    def is_open() -> bool:
+        return not cradle.hidden  # else, only the release can be changed
+
+    def e_as_text(most: float | None) -> str:
+        if most is None:
+            return "?"
         least = min(cradle.values("e"))
         return f"{most:g}" if least == most else f"{least:g} to {most:g}"
 
@@ -77,6 +91,7 @@ def cradle_controls(
         limits=lambda: (1, max(MOST_BOBS, settings.most_bobs())),
         as_text=str,
         is_whole=True,
+        is_enabled=is_open,
         help="Bobs: the balls. Your file stays as it is",
     )
     lifted = Slider(
@@ -95,33 +110,26 @@ def cradle_controls(
         name="mass",
         place="settings",
         label="Bob 1: mass",
-        get=lambda: cradle.values("mass")[0],
+        get=first_mass,
         set=lambda mass: settings.edit(0, "mass", f"{mass:g}"),
         limits=mass_limits,
-        as_text=lambda mass: f"{mass:g} kg",
+        as_text=lambda mass: "?" if mass is None else f"{mass:g} kg",
         step=0.5,
+        is_enabled=is_open,
         help="Bob 1: the first bob from the left",
     )
     e = Slider(
         name="e",
         place="settings",
         label="Elasticity e",
-        get=lambda: max(cradle.values("e")),
+        get=largest_e,
         set=settings.set_e,
         limits=lambda: (0, 1),
         as_text=e_as_text,
         step=0.01,
         help="e, the coefficient of restitution of all bobs: 1 = the bobs part as fast as they "
         "met, 0 = they stay together",
-        is_enabled=lambda: cradle.can_set_e,
-    )
-    collision = Menu(
-        name="collision",
-        place="settings",
-        label="Collisions",
-        get=settings.collision,
-        set=settings.set_collision,
-        choices=lambda: list(settings.collisions()),
+        is_enabled=lambda: cradle.can_set_e and is_open(),
     )
     separating = Switch(
         name="separating",
@@ -131,7 +139,7 @@ def cradle_controls(
         set=settings.set_separating,
         is_enabled=lambda: cradle.takes_rule,
     )
-    controls: list[Control] = [count, lifted, *angles, mass, e, collision]
+    controls: list[Control] = [count, lifted, *angles, mass, e]
     if cradle.has_rule:
         controls.append(separating)
     return controls
@@ -162,10 +170,19 @@ def view_controls(
     """Return the controls of how the page shows the cradle; Reset all puts them back."""
     ask_first = Switch(
         name="ask_first",
-        place="shows",
+        place="lesson",
         label="Predict first",
         get=lambda: questions.ask_first,
         set=lesson.set_ask_first,
+        help="An experiment first asks what will happen",
+    )
+    ask_seen = Switch(
+        name="ask_seen",
+        place="lesson",
+        label="Say what you saw",
+        get=lambda: questions.ask_seen,
+        set=lesson.set_ask_seen,
+        help="After the first swing, it asks what has happened, and only then explains it",
     )
     speed = Slider(
         name="speed",
@@ -213,10 +230,18 @@ def view_controls(
         name="graph",
         place="graph",
         label="Graph",
-        get=lambda: graph.chosen,
+        get=graph.name,
+        set=graph.show,
+        choices=graph.menu,
+        help="theta: the angle of a cord from straight down; omega: how fast it changes",
+    )
+    all_curves = Menu(
+        name="all_graphs",
+        place="details",
+        label="All graphs",
+        get=graph.name,
         set=graph.show,
         choices=lambda: [*graph.choices],
-        help="theta: the angle of a cord from straight down; omega: how fast it changes",
     )
     span = Menu(
         name="span",
@@ -226,7 +251,7 @@ def view_controls(
         set=graph.show_span,
         choices=lambda: [*SPANS],
     )
-    return [ask_first, speed, slow, arrows, measure, hits, curves, span]
+    return [ask_first, ask_seen, speed, slow, arrows, measure, hits, curves, span, all_curves]
 
 
 def commands(
@@ -234,6 +259,7 @@ def commands(
     playback: Playback,
     lesson: Lesson,
     questions: Questions,
+    unknown: Unknown,
     settings: CradleSettings,
     ghost_file: GhostFile,
     held_bob: HeldBob,
@@ -250,9 +276,11 @@ def commands(
         "restart": Command(restart),
         "reset": Command(reset),
         "next": Command(lesson.choose_next),
+        "previous": Command(lesson.choose_previous),
         "repeat": Command(lesson.repeat, (is_switch,)),
-        "answer": Command(questions.answer, (is_text, is_answer)),
-        "vote": Command(questions.vote, (is_text, is_count, is_switch)),
+        "answer": Command(questions.answer, (is_text, is_count)),
+        "vote": Command(questions.vote, (is_text, is_count, is_hands)),
+        "check": Command(unknown.check, (is_text,)),
         "edit": Command(settings.edit, (is_count, is_in_table, is_text)),
         "grab": Command(held_bob.grab, (is_point, is_direction)),
         "drag": Command(held_bob.drag, (is_point, is_direction)),
@@ -266,8 +294,8 @@ def is_json(value: object) -> bool:
     return True  # the control looks at it
 
 
-def is_answer(value: object) -> bool:
-    return value is None or is_count(value)
+def is_hands(value: Any) -> bool:
+    return is_count(value) and value <= MOST_HANDS
 
 
 def is_file(value: object) -> bool:

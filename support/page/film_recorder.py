@@ -1,12 +1,19 @@
-"""Write a run to an HTML file, without a tab: --html FILE."""
+"""Write runs to HTML files, without a tab: --html FILE, and --html-all FOLDER."""
 
 import sys
+from collections import deque
+from collections.abc import Sequence
+from contextlib import ExitStack
+from html import escape
 from math import inf
+from pathlib import Path
+from urllib.parse import quote
 
 from support.cradle.cradle import Cradle
 from support.cradle.player import run
 from support.cradle.real_time import RealTime
-from support.files.data_file import whole_file
+from support.files.data_file import INDEX_LINE, is_index, is_run, require_replaceable, whole_file
+from support.files.experiments import Experiment, EXPERIMENTS
 from support.main_page import Loop
 from support.page.server.film import Film
 from support.page.server.run_file import run_as_html
@@ -15,6 +22,12 @@ from support.page.viewer import Start, Viewer
 from support.start.early import stop_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, say
+
+INDEX_STYLE = """
+:root { color-scheme: light dark; font: 1.1rem/1.5 system-ui, sans-serif }
+body { max-width: 40rem; margin: 2rem auto; padding: 0 1rem }
+li { margin: 1rem 0 }
+"""
 
 
 class NoTabs(Tabs):
@@ -42,54 +55,145 @@ class NoTabs(Tabs):
 
 
 class FilmRecorder(Viewer):
-    """Plays the first seconds of a cradle, as fast as the machine can."""
+    """Plays the first seconds of one cradle after another, as fast as the machine can."""
 
-    def __init__(self, cradle: Cradle, start: Start, seconds: float, progress: Progress) -> None:
-        """Play `seconds` (s), and call progress(done), 0 to 1, again and again."""
+    def __init__(self, cradle: Cradle, start: Start, seconds: float) -> None:
+        """Play `seconds` (s) of the cradle that start says."""
         tabs = NoTabs()
         super().__init__(cradle, start, tabs, RealTime(cradle.dt, tabs.time, tabs.sleep))
         self.last = max(1, round(seconds / cradle.dt))  # tick
-        self.report_progress = progress
-        self.questions.ask_first = True
+        self.next_names: deque[str] = deque()  # of experiments to play
+        self.count = 1  # of all cradles to play
+        self.runs: list[bytes] = []  # as HTML
+        self.report_progress: Progress = lambda done: None
+        # Nobody answers here: run.js asks, in the file.
+        self.questions.ask_first = False
+        self.questions.ask_seen = False
         self.marks.has_arrows = True
 
+    def play_experiments(self, names: Sequence[str]) -> None:
+        """Play the experiments with these names, one after the other."""
+        first, *others = names
+        self.next_names.extend(others)
+        self.count = len(names)
+        self.lesson.choose(first)
+
     def frame(self) -> None:
-        """Show the last ticks, with all numbers, and plan the next ones; nobody answers."""
+        """Show the last ticks, with all numbers, and plan the next ones; at the end, keep the run.
+
+        Then go on to the next cradle.
+        """
         self.next_refresh = 0.0
         super().frame()
-        if self.questions.measurement:
-            self.questions.answer(self.questions.measurement.experiment.key, None)
         done = self.motion.ticks / self.last
-        self.is_over = done == 1
         if done:
-            self.report_progress(done)
+            self.report_progress((len(self.runs) + done) / self.count)
+        if done == 1:
+            self.keep_run()
+            if self.next_names:
+                self.lesson.choose(self.next_names.popleft())
+            else:
+                self.is_over = True
+
+    def show_new_cradle(self) -> None:
+        """Show a new cradle; one with a hidden value with what one needs to find it."""
+        self.marks.measures = bool(self.cradle.hidden)
+        super().show_new_cradle()
+
+    def keep_run(self) -> None:
+        """Keep the run up to now."""
+        self.runs.append(run_as_html(self.tabs.pictures()))
 
     def keep_time(self, most: float = inf) -> None:
         super().keep_time(min(most, self.last - self.motion.ticks))
 
+    def ghosts_in_view(self) -> list:
+        """Return all ghosts: whoever plays the file chooses the answer."""
+        return self.marks.ghosts
+
 
 def write_run(loop: Loop, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
-    """Write the first seconds (s) of a loop to this HTML file.
+    """Write the first seconds (s) of a loop to this HTML file; the rest is as in write_runs."""
+    require_replaceable("--html", filepath, is_run, "a run of a cradle")
+    write_runs(loop, FilmRecorder(cradle, start, seconds), [filepath], filepath)
 
-    If a function makes a mistake, the run ends with it, and the exit status is 1; so it is, without
-    a file, after a signal. Raises an OSError if the file cannot be written.
+
+def write_all_runs(loop: Loop, cradle: Cradle, start: Start, seconds: float, folder: str) -> None:
+    """Write the first seconds (s) of each experiment to an HTML file in this folder.
+
+    index.html has links to them. The rest is as in write_runs.
+    """
+    recorder = FilmRecorder(cradle, start, seconds)
+    experiments = recorder.chooser.experiments
+    files = [str(Path(folder, f"{known.key}.html")) for known in experiments.values()]
+    index = str(Path(folder, "index.html"))
+    if index in files:
+        raise ValueError("--html-all: allowed is another name than index for an experiment")
+    for file in files:
+        require_replaceable("--html-all", file, is_run, "a run of a cradle")
+    require_replaceable("--html-all", index, is_index, "links to runs of a cradle")
+    for mistake in recorder.chooser.mistakes:
+        complain(mistake)
+    if not experiments:
+        raise ValueError(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
+    Path(folder).mkdir(exist_ok=True)
+    recorder.play_experiments([*experiments])
+    write_runs(loop, recorder, files, folder)
+    with whole_file(index) as links:
+        links.write(links_to(cradle.title, [*experiments.values()]))
+
+
+def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
+    """Write the runs of a recorder to these files; place names them all in a message.
+
+    If a function makes a mistake, a single run ends with it, and the exit status is 1; so it is,
+    without files, with several runs, and after a signal. Raises an OSError if a file cannot be
+    written.
     """
     stop_on_signals()
-    status = 0
+    has_failed = False
     try:
-        with whole_file(filepath) as html, progress_bar() as progress:
-            recorder = FilmRecorder(cradle, start, seconds, progress)
+        with ExitStack() as stack:
+            opened = [stack.enter_context(whole_file(file)) for file in files]
+            recorder.report_progress = stack.enter_context(progress_bar())
             try:
                 run(loop, recorder)
             except (Exception, SystemExit) as error:
                 recorder.tabs.show({"ended": report_mistake(error)})
-                status = 1
-            html.write(run_as_html(recorder.tabs.pictures()).decode())
+                recorder.keep_run()
+                has_failed = True
+            if len(recorder.runs) < len(files):
+                complain(f"{place} is not written.")
+                sys.exit(1)
+            for opened_file, html in zip(opened, recorder.runs, strict=True):
+                opened_file.write(html.decode())
     except KeyboardInterrupt as stopped:
         report_endless_loop(stopped)
-        complain(f"The run ended too early. {filepath} is not written.")
+        complain(f"The run ended too early. {place} is not written.")
         sys.exit(1)
     if recorder.given_remark:
         say(recorder.given_remark)
-    say(in_one_line(f"{recorder.motion.time():.15g} s are in {filepath}"))
-    sys.exit(status)
+    seconds = f"{recorder.motion.time():.15g} s"
+    of_each = f" of each of {len(files)} experiments" if len(files) > 1 else ""
+    say(in_one_line(f"{seconds}{of_each} are in {place}"))
+    if has_failed:
+        sys.exit(1)
+
+
+def links_to(title: str, experiments: Sequence[Experiment]) -> str:
+    """Return a plain page with a link to the run of each experiment."""
+    lines = [
+        INDEX_LINE,
+        '<html lang="en"><meta charset="utf-8">',
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{escape(title)}</title>",
+        f"<style>{INDEX_STYLE}</style>",
+        f"<h1>{escape(title)}</h1>",
+        "<p>Open an experiment, predict, and see. Nothing is sent anywhere.</p>",
+        "<ol>",
+    ]
+    for known in experiments:
+        question = known.hidden.question if known.hidden else known.question
+        link = f'<a href="{quote(known.key)}.html">{escape(known.name)}</a>'
+        lines.append(f"<li>{link}<br>{escape(question)}</li>")
+    return "\n".join([*lines, "</ol>", ""])

@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 
 from support.constants import COLOR_MAP
+from support.files.experiments import Hidden
 from support.files.valid_cradle import CradleCsv
 from support.page.graph import to_css
 
@@ -11,15 +12,21 @@ CSS = {name: to_css(color) for name, color in COLOR_MAP.items()}  # the colors, 
 GalleryPicture = list[dict]  # a dictionary for each pendulum
 
 
-def gallery_picture(csv: CradleCsv, poses: Sequence[Sequence[float]]) -> GalleryPicture:
+def gallery_picture(
+    csv: CradleCsv, poses: Sequence[Sequence[float]], hidden: Hidden | None = None
+) -> GalleryPicture:
     """Return the picture of a CSV's cradle: the color and the mass (kg) of each pendulum.
 
     And its angles: those of its cords from straight down (rad). poses has them for each pendulum.
+    A hidden mass is None.
     """
-    pendula = []
+    pendula: GalleryPicture = []
     for cells, angles in zip(csv.pendula, poses, strict=True):
         row = dict(zip(csv.columns, cells, strict=True))
         pendula.append({"color": CSS[row["color"]], "mass": float(row["mass"]), "angles": angles})
+    if hidden and hidden.column == "mass":
+        for index in hidden.rows:
+            pendula[index]["mass"] = None
     return pendula
 
 

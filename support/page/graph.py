@@ -25,7 +25,7 @@ MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
 ENERGIES = {"kinetic": "rgb(213, 94, 0)", "potential": "rgb(0, 114, 178)", "total": "rgb(0, 0, 0)"}
-ENERGY, NOTHING = "Energies", "no graph"
+ENERGY, MOMENTA, NOTHING = "Energies", "Momenta", "no graph"
 TIME = "t (s)"
 DEGREES = degrees(1)  # in a rad
 
@@ -58,20 +58,30 @@ class Graph:
         self.angle_keys = angle_keys
         self.rate_keys = rate_keys
         self.rows: deque[array] = deque(maxlen=MOST_ROWS)
-        self.chosen = ENERGY  # a key of choices
+        self.chosen = ENERGY  # a key of choices, unless the present cradle has no such choice
         self.names: list[str] = []  # of the numbers in a row
         self.span = next(iter(SPANS))  # a key of SPANS
-        self.begin([])
+        self.begin([], is_hidden=False)
 
-    def begin(self, colors: Sequence[vector]) -> None:
-        """Forget all samples, and take the colors (VPython's) of a new cradle's pendula."""
+    def begin(self, colors: Sequence[vector], is_hidden: bool) -> None:
+        """Forget all samples, and take the colors (VPython's) of a new cradle's pendula.
+
+        With is_hidden, there are only angles and their rates.
+        """
         self.rows.clear()
         hues = [to_css(color) for color in colors[:MOST_DRAWN]]
-        energies = [Curve(name, name, hue) for name, hue in ENERGIES.items()]
         # By the name in the menu.
-        self.choices = {ENERGY: Choice(TIME, "%", "t", energies)}
+        self.choices: dict[str, Choice] = {}
+        if not is_hidden:
+            energies = [Curve(name, name, hue) for name, hue in ENERGIES.items()]
+            self.choices[ENERGY] = Choice(TIME, "%", "t", energies)
+            momenta = over_time("momentum", "kg m/s", hues, scale=1.0)
+            momenta.curves.append(Curve("sum", "momentum", ENERGIES["total"]))
+            self.choices[MOMENTA] = momenta
         for key in self.angle_keys:
             self.choices[f"Angles {key}"] = over_time(key, "degrees", hues)
+        self.choices[NOTHING] = Choice("", "", "t", [])
+        self.main_choices = [*self.choices]
         for key in self.rate_keys:
             self.choices[f"Velocities {key}"] = over_time(key, "degrees/s", hues)
         for number, hue in enumerate(hues, start=1):
@@ -80,8 +90,14 @@ class Graph:
                 if len(self.angle_keys) > 1:
                     name += f", {angle}"
                 self.choices[name] = phase_picture(angle, rate, number, hue)
-        self.choices[NOTHING] = Choice("", "", "t", [])
-        self.show(self.chosen)
+
+    def name(self) -> str:
+        """Return the name of what is shown: your choice, if the present cradle has it."""
+        return self.chosen if self.chosen in self.choices else self.main_choices[0]
+
+    def menu(self) -> list[str]:
+        """Return the main choices, and what is shown."""
+        return [*dict.fromkeys([*self.main_choices, self.name()])]
 
     def add(self, sample: dict[str, float]) -> None:
         """Add a sample, in place of one of the same time.
@@ -95,8 +111,8 @@ class Graph:
         self.rows.append(array("d", sample.values()))
 
     def show(self, name: str) -> None:
-        """Show this one of the choices, or the energies if the present cradle does not have it."""
-        self.chosen = name if name in self.choices else ENERGY
+        """Show this one of the choices."""
+        self.chosen = name
 
     def show_span(self, span: str) -> None:
         """Show this time (a key of SPANS)."""
@@ -109,10 +125,10 @@ class Graph:
         multiplies them by the scales, and so draws degrees. The x axis goes from "from" to "to",
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
-        choice = self.choices[self.chosen]
+        choice = self.choices[self.name()]
         unit = 1.0
-        unit_name = ""
-        if self.chosen == ENERGY:
+        unit_name = " (kg m/s)" if self.name() == MOMENTA else ""
+        if self.name() == ENERGY:
             unit = (start_energy or 1) / 100
             unit_name = " (%)"
         state: dict[str, Any] = {
@@ -151,7 +167,7 @@ class Graph:
         seconds = self.span_of(choice).seconds
         end = max(seconds, self.rows[-1][0])
         limits = {"from": end - seconds, "to": end}
-        if self.chosen == ENERGY:
+        if self.name() == ENERGY:
             limits |= {"bottom": 0.0, "top": most(rows, len(choice.curves))}  # of the total
         return limits
 
@@ -167,12 +183,12 @@ def to_css(color: vector) -> str:
     return f"rgb({', '.join(parts)})"
 
 
-def over_time(key: str, unit: str, hues: Sequence[str]) -> Choice:
-    """Return the graph of a coordinate of all pendula, in the colors of their bobs."""
+def over_time(key: str, unit: str, hues: Sequence[str], scale: float = DEGREES) -> Choice:
+    """Return the graph of numbers of all pendula, times a scale, in the colors of their bobs."""
     curves = []
     for number, hue in enumerate(hues, start=1):
         curves.append(Curve(str(number), f"{key}_{number}", hue))
-    return Choice(TIME, f"{key} ({unit})", "t", curves, y_scale=DEGREES)
+    return Choice(TIME, f"{key} ({unit})", "t", curves, y_scale=scale)
 
 
 def phase_picture(angle: str, rate: str, number: int, hue: str) -> Choice:

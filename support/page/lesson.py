@@ -33,10 +33,23 @@ class Lesson:
         """Choose the next experiment, after the last one the first."""
         self.choose(self.chooser.next_name())
 
+    def choose_previous(self) -> None:
+        """Choose the experiment before this one, before the first one the last."""
+        self.choose(self.chooser.previous_name())
+
     def set_ask_first(self, asks: bool) -> None:
-        """Ask the question of an experiment before its release, or not; restart an experiment."""
+        """Ask for a prediction before the release, or not; restart an experiment."""
         self.questions.ask_first = asks
         self.questions.word = ""
+        if self.chooser.whole_experiment():
+            self.run_again()
+
+    def set_ask_seen(self, asks: bool) -> None:
+        """Ask what you have seen, or not, also in this run."""
+        self.questions.ask_seen = asks
+        if not asks:
+            self.questions.leave_seen()
+
         if self.chooser.whole_experiment():
             self.run_again()
 
@@ -60,5 +73,5 @@ class Lesson:
         if experiment and len(experiment.poses) != len(motion.cradle.pend_list):
             experiment = None
         self.questions.begin(experiment, motion)
-        if self.questions.is_asking:
+        if self.questions.asking:
             self.playback.is_paused = False  # so the cradle runs when the question is over

@@ -21,9 +21,11 @@ class Commands(TypedDict):
     restart: Command
     reset: Command
     next: Command
+    previous: Command
     repeat: Command
     answer: Command
     vote: Command
+    check: Command  # the value of what is hidden
     edit: Command
     grab: Command
     drag: Command
@@ -63,13 +65,15 @@ class State(TypedDict, total=False):
     mistakes: list[str]
     changed: bool
     question: dict[str, Any] | None
+    sheets: dict[str, Any]  # of all experiments: their questions and answers
+    unknown: dict[str, str] | None  # what is hidden
+    checked: str  # about your value of it
     # The ghosts of a file
     ghosts: str
     mistake_in_ghosts: str
     # The table of the pendula
     columns: list[str]
     keys: list[str]
-    colors: list[str]
     table: dict[str, list[float]]
     refused: dict[str, dict[str, str]]
     now: dict[str, str]

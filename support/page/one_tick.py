@@ -26,7 +26,9 @@ class OneTick:
         if self.before is None:
             return
         calls = self.hits.calls or [f"No call of {self.cradle.shown_name} was seen."]
-        self.lines = [*changes(self.cradle, self.before), *calls]
+        self.lines = changes(self.cradle, self.before)
+        if not self.cradle.hidden:  # a call has all masses and e
+            self.lines += calls
         self.before = None
 
 

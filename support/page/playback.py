@@ -1,7 +1,6 @@
 """How the time goes on: pause, Step, One tick, and the speed."""
 
 from collections.abc import Callable
-from math import inf
 
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
@@ -37,7 +36,7 @@ class Playback:
 
     def is_running(self) -> bool:
         """Return whether the cradle is not paused, and waits for no answer."""
-        return not (self.is_paused or self.questions.is_asking)
+        return not (self.is_paused or self.questions.asking)
 
     def is_resting(self) -> bool:
         """Return whether the time rests, so that you can look at something longer."""
@@ -45,10 +44,9 @@ class Playback:
 
     def look_longer(self) -> None:
         """Go on with what the time rests for: a measured experiment, then one slow hit by one."""
-        now = self.pace.clock()
-        self.questions.end_rest(now)
+        self.questions.look()
         if self.questions.rest_end is None:
-            self.slow_hits.go_on(now, self.is_running())
+            self.slow_hits.go_on(self.pace.clock(), self.is_running())
 
     def speed_now(self) -> float:
         """Return the speed of the present run, times real time."""
@@ -61,16 +59,18 @@ class Playback:
     # --- commands ------------------------------------------------------------------------------
 
     def pause(self) -> None:
-        """Stop the time, or let it go on; an open question waits for an answer."""
-        if self.can_go_on():
+        """Stop the time, or let it go on; an open question takes the answer of the hands."""
+        if self.questions.asking:
+            self.questions.take_hands()
+        else:
             self.is_paused = not self.is_paused
-            self.questions.end_rest(inf)
+            self.questions.end_rest()
 
     def can_go_on(self) -> bool:
         """Return whether no question is open; an open one waits for its answer, and says so."""
-        if self.questions.is_asking:
+        if self.questions.asking:
             self.questions.word = WAITS
-        return not self.questions.is_asking
+        return not self.questions.asking
 
     def do_step(self) -> None:
         """Do the ticks of one frame, while paused, or show the next one of slow hits."""

@@ -2,7 +2,7 @@
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
-from support.cradle.motion import Motion, percent_as_text
+from support.cradle.motion import Motion, percent_as_text, signed
 from support.cradle.real_time import RealTime
 from support.cradle.stopwatch import Stopwatch
 from support.energy import momentum
@@ -33,16 +33,16 @@ class Readout:
     def lines(self) -> dict[str, str]:
         """Return the text of each line by its name.
 
-        The energy and the momentum are those after the slow hit that is shown, or of now. A second
-        line of a text is a note, which the page writes small.
+        The energy and the momentum are those after the slow hit that is shown, or of now; they
+        would show what is hidden. A second line of a text is a note, which the page writes small.
         """
         pend_list = self.slow_hits.shown_pendula()
-        p = momentum_as_text(momentum(pend_list, R_PARAM))
-        lines = {
-            "t": f"{self.motion.time():.2f} s\n{self.pace.remark()}",
-            "energy": percent_as_text(self.motion.percents(pend_list)["energy"]).strip(),
-            "momentum": f"{p}\n{what_changes_momentum(self.motion)}",
-        }
+        lines = {"t": f"{self.motion.time():.2f} s\n{self.pace.remark()}"}
+        if not self.motion.cradle.hidden:
+            percent = self.motion.percents(pend_list)["energy"]
+            p = momentum_as_text(momentum(pend_list, R_PARAM))
+            lines["energy"] = percent_as_text(percent).strip()
+            lines["momentum"] = f"{p}\n{what_changes_momentum(self.motion)}"
         if self.marks.measures:
             lines["half swings"] = str(self.stopwatch)
         return lines | self.ghost_file.ghosts.readout()
@@ -62,12 +62,6 @@ def momentum_as_text(p: float) -> str:
     if abs(p) < 0.0005:
         return f"{signed(p)} kg m/s"
     return f"{signed(p)} kg m/s {'→' if p > 0 else '←'}"
-
-
-def signed(p: float) -> str:
-    """Return a momentum p (kg m/s) as text with its sign."""
-    # + 0.0: not -0.000
-    return f"{round(p, 3) + 0.0:+.3f}" if abs(p) < 1e4 else f"{p:+.2e}"
 
 
 def constants(cradle: Cradle) -> str:

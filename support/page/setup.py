@@ -20,6 +20,7 @@ SAVE_FIRST = (
     f"No options make this cradle. First save the text below as {FILE}, in the folder where you "
     "type this command (the bobs then have the colors of experiments):"
 )
+HIDDEN = "While a value is hidden, the command and the file are hidden, too."
 NO_RULE = "Separating bobs do not collide in it until you tick the box again."
 
 
@@ -38,8 +39,13 @@ class Setup:
         self.cradle = motion.cradle
 
     def state(self) -> State:
-        """Return a command, what to do with it, and the text of a file."""
+        """Return a command, what to do with it, and the text of a file.
+
+        All are empty if they would show what is hidden.
+        """
         options = self.options()
+        if self.cradle.hidden:
+            return {"same_cradle": "", "advice": HIDDEN, "setup": ""}
         advice = USE_IT
         if options is None:
             options = [f"--experiment={FILE}"]
@@ -70,7 +76,7 @@ class Setup:
             options.append(f"--lift={lifted}")
         if settings.mass is not None:
             options.append(f"--mass={settings.mass:.12g}")
-        if settings.collision.source:
+        if settings.es:
             options.append(f"--e={self.cradle.values('e')[0]:.12g}")
         return options
 

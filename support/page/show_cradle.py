@@ -12,7 +12,6 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import run
 from support.files.cradle_csv import LiveFile, Snapshot
-from support.files.data_file import is_run, require_replaceable
 from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import read_cradle
@@ -79,7 +78,7 @@ def show_page(
     """Run the loop of a program with the page of a cradle, until the last tab is closed for good.
 
     angles are the release angles (rad); None keeps the angle with which main makes the cradle.
-    remark is a line on the page. With --html, write a run to a file in place of it. Exits with
+    remark is a line on the page. With --html or --html-all, write files in place of it. Exits with
     status 2 if an option, or a file that it names, is wrong, with 1 if a function makes a mistake.
     """
     file = LiveFile(options.csv)
@@ -94,10 +93,8 @@ def show_page(
             ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
         if options.experiment is not None:
             experiment = read_experiment(Path(options.experiment), len(angles))
-        if options.html is None:
+        if options.html is None and options.html_all is None:
             server = open_page(options, command_line(cradle.page_program, sys.argv[1:]))
-        else:
-            require_replaceable("--html", options.html, is_run, "a run of a cradle")
     except ValueError as error:
         refuse(error)
     from support.page.viewer import Start, Viewer  # while the browser starts
@@ -105,10 +102,16 @@ def show_page(
     start = Start(csv, file, angles, options.lift, remark, experiment, ghosts)
     if server:
         play(loop, Viewer(cradle, start, server.tabs), server)
-    else:
-        from support.page.film_recorder import write_run  # not for a page
+        return
+    from support.page.film_recorder import write_all_runs, write_run  # not for a page
 
-        write_run(loop, cradle, start, options.seconds, options.html)
+    try:
+        if options.html is not None:
+            write_run(loop, cradle, start, options.seconds, options.html)
+        else:
+            write_all_runs(loop, cradle, start, options.seconds, options.html_all)
+    except ValueError as error:
+        refuse(error)
 
 
 def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from support.cradle.cradle import Cradle
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME, RealTime
+from support.cradle.settings import Settings
 from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.data_file import EVERY
@@ -18,12 +19,12 @@ from support.page.chooser import Chooser
 from support.page.controls import Control, is_text
 from support.page.cradle_settings import CradleSettings
 from support.page.ghost_file import GhostFile
-from support.page.graph import Graph
+from support.page.graph import Graph, MOST_DRAWN
 from support.page.lesson import Lesson
 from support.page.names import State
 from support.page.one_tick import OneTick
 from support.page.playback import Playback
-from support.page.questions import Questions
+from support.page.questions import PREDICTED, Questions
 from support.page.readout import constants, Readout
 from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
@@ -31,6 +32,7 @@ from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
 from support.page.setup import Setup
 from support.page.sound import Sound
+from support.page.unknown import Unknown
 
 REFRESH = 0.1  # s between two changes of the state
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
@@ -64,7 +66,8 @@ class Viewer(Player):
         pace: RealTime | None = None,
     ):
         """Play the cradle as a Player does, in this pace; tabs show it."""
-        super().__init__(cradle, start.csv, start.angles, start.lifted, IMPACTS, EVERY, pace)
+        settings = Settings(start.csv, [*start.angles], start.lifted, cradle.es, cradle.mass)
+        super().__init__(cradle, settings, IMPACTS, EVERY, pace)
         self.tabs = tabs
         self.given_remark = start.remark
         # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
@@ -78,13 +81,14 @@ class Viewer(Player):
             says_angle = start.experiment is not None or start.angles[0] is not None
             self.ghost_file.take(start.ghosts, with_angle=not says_angle)
         # Its motion
-        self.questions = Questions()
+        self.questions = Questions(self.pace.clock)
         self.slow_hits = SlowHits(cradle)
         self.one_tick = OneTick(cradle, self.hits)
         self.playback = Playback(
             cradle, self.pace, self.questions, self.slow_hits, self.one_tick, self.plan
         )
         self.lesson = Lesson(self.chooser, self.next_cradle, self.questions, self.playback)
+        self.unknown = Unknown(cradle)
         self.stopwatch = Stopwatch()
         # What shows it
         self.scenery = Scenery()
@@ -114,6 +118,7 @@ class Viewer(Player):
             self.playback,
             self.lesson,
             self.questions,
+            self.unknown,
             self.cradle_settings,
             self.ghost_file,
             self.held_bob,
@@ -178,7 +183,7 @@ class Viewer(Player):
             self.motion.set_start()  # 100 % is the energy of this moment
             if not self.playback.is_running():
                 self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
-        self.scenery.keep_in_view([*self.cradle.bobs(), *self.marks.ghosts])
+        self.scenery.keep_in_view([*self.cradle.bobs(), *self.ghosts_in_view()])
         self.sound.look()
         if not self.tabs.have_room():
             return
@@ -198,17 +203,24 @@ class Viewer(Player):
                 **self.scenery.view(has_text_above=self.slow_hits.is_on),
                 "fade": fade,
                 "labels": [label._asdict() for label in labels],
+                "ghosts": self.marks.answers,
             },
         }
 
-    def ghost_poses(self) -> GhostPoses:
-        """Return where ghosts are now: those of your answer, or else those of a file."""
+    def ghost_poses(self) -> list[GhostPoses]:
+        """Return where ghosts are now: those of each answer, or else those of a file."""
         time = self.motion.time()
-        predicted = self.questions.predicted(time)
+        predicted = self.questions.ghosts(time)
         if predicted:
-            return GhostPoses(predicted, self.questions.ghost_name())
+            return [GhostPoses(poses, answer=answer) for answer, poses in enumerate(predicted)]
         ghosts = self.ghost_file.ghosts
-        return GhostPoses(ghosts.poses(time, len(self.cradle.pend_list)), ghosts.name)
+        return [GhostPoses(ghosts.poses(time, len(self.cradle.pend_list)), ghosts.name)]
+
+    def ghosts_in_view(self) -> list:
+        """Return the ghosts that a tab shows."""
+        seen = (None, self.questions.replies[PREDICTED])
+        ghosts = zip(self.marks.ghosts, self.marks.answers, strict=True)
+        return [ghost for ghost, answer in ghosts if answer in seen]
 
     def state(self) -> State:
         """Return what the page shows outside VPython's canvas, all texts plain."""
@@ -234,6 +246,7 @@ class Viewer(Player):
             self.ghost_file,
             self.playback,
             self.questions,
+            self.unknown,
         ):
             state |= part.state()
         return state
@@ -248,7 +261,8 @@ class Viewer(Player):
         self.scenery.surround(
             cradle.axles(), cradle.bobs(), cradle.cords_length, cradle.values("mass")
         )
-        self.graph.begin(cradle.colors())
+        self.graph.begin(cradle.colors(), is_hidden=bool(cradle.hidden))
+        self.unknown.begin()
         self.bars.begin()
         self.begin_swing()
         self.one_tick.clear()
@@ -275,9 +289,14 @@ class Viewer(Player):
 
     def take_sample(self) -> None:
         """Add this moment to the graph."""
-        sample = self.motion.sample()
-        self.graph.add(sample)
-        self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
+        momenta = {}
+        if not self.cradle.hidden:
+            drawn = self.cradle.pend_list[:MOST_DRAWN]
+            for number, p in enumerate(self.marks.momenta_of(drawn), start=1):
+                momenta[f"momentum_{number}"] = p
+        self.graph.add(self.motion.sample() | momenta)
+        kinetic, potential = self.cradle.energies()
+        self.stopwatch.look(self.motion.time(), kinetic, kinetic + potential)
         self.bars.look()
 
     def looks_at_hits(self) -> bool:
@@ -301,7 +320,7 @@ class Viewer(Player):
             self.motion.ticks % self.step == 0
         ):  # not take_sample, which a drag calls again and again
             self.ghost_file.ghosts.compare(self.cradle.pend_list, self.motion.time())
-        if self.questions.measure(self.pace.clock()):
+        if self.questions.measure():
             self.planned = 0
         if self.slow_hits.is_on:
             self.slow_hits.add(self.hits.noted, self.motion.time(), self.motion.fast_speed)

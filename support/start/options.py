@@ -147,6 +147,8 @@ def cradle_options(description: str) -> OneLineParser:
     count = type_of(int, is_whole, "a whole number, 0 or more")
     text = "number of lifted bobs, from the left (default: 1)"
     add("--lift", type=count, metavar="K", help=text)
+    text = "file of an experiment, to begin with it in place of the CSV"
+    add("--experiment", type=FILE, metavar="FILE", help=text)
     return parser
 
 
@@ -174,12 +176,22 @@ def is_port(text: str) -> bool:
     return is_whole(text) and int(text) <= 65535
 
 
+def parse(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
+    """Return the options; an experiment, and all of them, have their own cradle."""
+    options = parser.parse_args(arguments)
+    for whole in ("experiment", "html_all"):
+        for name in OF_THE_CSV:
+            is_given = getattr(options, name, None) != parser.get_default(name)
+            if is_given and getattr(options, whole, None) is not None:
+                option = whole.replace("_", "-")
+                parser.error(f"argument --{option}: not allowed with argument --{name}")
+    return options
+
+
 def page_options(description: str) -> OneLineParser:
     """Return a parser with the options of a cradle and of its page."""
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
-    text = "file of an experiment, with which the page begins"
-    add("--experiment", type=FILE, metavar="FILE", help=text)
     text = (
         "CSV of a motion that pale bobs show with the cradle:  "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
@@ -197,26 +209,27 @@ def page_options(description: str) -> OneLineParser:
     opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     text = "write a run to FILE, one HTML page that any browser plays, and open no page"
-    add("--html", type=FILE, metavar="FILE", help=text)
-    text = f"with --html: the seconds of the run (default: {HTML_SECONDS:g})"
+    add_html = parser.add_mutually_exclusive_group().add_argument
+    add_html("--html", type=FILE, metavar="FILE", help=text)
+    text = "write a run of each experiment to FOLDER, with index.html, for a course page"
+    add_html("--html-all", type=FILE, metavar="FOLDER", help=text)
+    text = f"with --html or --html-all: the seconds of a run (default: {HTML_SECONDS:g})"
     add("--seconds", type=seconds_up_to("600"), metavar="S", help=text)
     return parser
 
 
 def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
     """Return the options of a page; without --port, VPython's variable names the port."""
-    options = parser.parse_args(arguments)
+    options = parse(parser, arguments)
     if options.port is None:
         text = os.environ.get(PORT_VARIABLE) or "0"
         if not is_port(text):
             parser.error(f"argument --port: found {text!r} in {PORT_VARIABLE}, allowed is {PORT}")
         options.port = int(text)
-    for name in OF_THE_CSV:
-        is_given = getattr(options, name, None) != parser.get_default(name)
-        if is_given and options.experiment is not None:
-            parser.error(f"argument --experiment: not allowed with argument --{name}")
-    if options.seconds is not None and options.html is None:
-        parser.error("argument --seconds: needs --html")
+    if options.html_all is not None and options.experiment is not None:
+        parser.error("argument --html-all: not allowed with argument --experiment")
+    if options.seconds is not None and options.html is None and options.html_all is None:
+        parser.error("argument --seconds: needs --html or --html-all")
     options.seconds = options.seconds or HTML_SECONDS
     return options
 
@@ -225,8 +238,8 @@ def read_page_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     """Return the options of the page, from the command line or from arguments.
 
     They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, seconds, and
-    the paths experiment, ghosts and html. None for e or mass keeps the values of the CSV. None for
-    angle or lift keeps the values with which main makes the cradle. None is no such file.
+    the paths experiment, ghosts, html and html_all. None for e or mass keeps the values of the CSV.
+    None for angle or lift keeps the values with which main makes the cradle. None is no such file.
     """
     parser = page_options("Newton's cradle in the browser, to play with.")
     return parse_page(parser, arguments)
@@ -250,7 +263,7 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     """Return the options of the cradle in the terminal.
 
     They are those of the cradle, seconds (inf if missing), record (a path, - for the output, or
-    None) and every (s).
+    None) and every (s). experiment is a path, or None.
     """
     parser = cradle_options(
         "Newton's cradle as moving text, in real time; or, with --record, its data in a file."
@@ -263,7 +276,7 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     every = type_of(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
     text = f"with --record: a row for every T seconds (default: {round(EVERY / DT) * DT:g})"
     add("--every", type=every, metavar="T", help=text)
-    options = parser.parse_args(arguments)
+    options = parse(parser, arguments)
     if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")
     if options.every is not None and options.record is None:

@@ -16,8 +16,8 @@ from support.cradle.cradle import Cradle
 from support.cradle.impacts import in_line
 from support.cradle.motion import Motion
 from support.cradle.player import Player, run
+from support.cradle.settings import Settings
 from support.files.data_file import whole_file
-from support.files.valid_cradle import CradleCsv
 from support.main_page import Loop
 from support.start.output import in_one_line, Progress, progress_bar, say, switch_on_escapes
 from support.terminal.text_picture import TextPicture
@@ -83,9 +83,9 @@ class TextPlayer(Player):
 
     step_seconds: float
 
-    def __init__(self, cradle: Cradle, csv: CradleCsv, options: Namespace) -> None:
-        """Play the cradle of this CSV; options has angle, lift and seconds of read_text_options."""
-        super().__init__(cradle, csv, [options.angle], options.lift, SERIES, self.step_seconds)
+    def __init__(self, cradle: Cradle, settings: Settings, options: Namespace) -> None:
+        """Play the cradle of these settings; options has the seconds of read_text_options."""
+        super().__init__(cradle, settings, SERIES, self.step_seconds)
         ticks = options.seconds / cradle.dt
         self.last = ticks if ticks == inf else round(ticks)  # tick
 
@@ -109,10 +109,10 @@ class Pictures(TextPlayer):
     step_seconds = 1 / 20
 
     def __init__(
-        self, cradle: Cradle, csv: CradleCsv, options: Namespace, remark: str = ""
+        self, cradle: Cradle, settings: Settings, options: Namespace, remark: str = ""
     ) -> None:
         """Show the remark, if there is one, above the picture; the rest is as in TextPlayer."""
-        super().__init__(cradle, csv, options)
+        super().__init__(cradle, settings, options)
         self.picture = TextPicture()
         self.own_remark = remark
         self.last_lines: list[str] = []  # of the last picture
@@ -147,7 +147,7 @@ class DataRecorder(Player):
     def __init__(
         self,
         cradle: Cradle,
-        csv: CradleCsv,
+        settings: Settings,
         options: Namespace,
         writer: Any,
         progress: Progress,
@@ -156,7 +156,7 @@ class DataRecorder(Player):
 
         options are those of read_text_options.
         """
-        super().__init__(cradle, csv, [options.angle], options.lift, 1, options.every)
+        super().__init__(cradle, settings, 1, options.every)
         ticks = int(options.seconds / cradle.dt + 1e-6)  # 10 / 0.001 could be 9999.999999999999
         self.last = ticks - ticks % self.step  # the tick of the last row
         self.writer = writer
@@ -178,7 +178,7 @@ class DataRecorder(Player):
 
 
 def record(
-    loop: Loop, cradle: Cradle, pendula: CradleCsv, options: Namespace, remark: str = ""
+    loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, remark: str = ""
 ) -> None:
     """Write the data of options.seconds to the file options.record, whole or not at all.
 
@@ -190,11 +190,11 @@ def record(
         with redirect_stdout(sys.stderr):
             if remark:
                 print(remark)
-            run(loop, DataRecorder(cradle, pendula, options, rows, progress=lambda done: None))
+            run(loop, DataRecorder(cradle, settings, options, rows, progress=lambda done: None))
         return
     with whole_file(options.record) as file, progress_bar() as progress:
         rows = csv.writer(file, lineterminator="\n")
-        recorder = DataRecorder(cradle, pendula, options, rows, progress)
+        recorder = DataRecorder(cradle, settings, options, rows, progress)
         run(loop, recorder)
     if remark:
         print(remark)

@@ -17,7 +17,7 @@ FAULTS = """async () => {
         ".paused": ".canvas",
         ".hit-part": ".canvas",
     };
-    const BOXES = "input, select, summary, svg, .track, .votes span, .canvas, .series, .hit-part";
+    const BOXES = "input, select, summary, svg, .track, .votes span, .canvas, .hit-part";
     const SMALLEST = 8; // pixels: of a part's width and height
     const SPACE = 8; // pixels: between two words
     const GAP = 16; // pixels: between two parts
@@ -32,7 +32,7 @@ FAULTS = """async () => {
     return [...new Set(faults)];
 
     function isSeen(element) {
-        const isPart = !element.closest("select *, svg *, .series *");
+        const isPart = !element.closest("select *, svg *");
         if (!isPart || !element.checkVisibility({ visibilityProperty: true })) return false;
         for (let part = element; part; part = part.parentElement)
             if (style(part).clipPath !== "none") return false;

@@ -194,6 +194,12 @@ def saved(page, name):
     return download.value.suggested_filename, download.value.path()
 
 
+def choose(page, name):
+    """Choose an experiment by its picture."""
+    page.locator(".choose").click()
+    button(page, name).click()
+
+
 def tick(page, name):
     """Tick a box."""
     page.get_by_role("checkbox", name=name).check()

@@ -12,9 +12,9 @@ PUT_BACK = """() => {
     dispatchEvent(new Event("afterprint"));
     set("experiment", state.controls.experiment.choices[0]);
     if (state.running || state.question?.asking) send("pause");
-    for (const name of ["ask_first", "slow_hits", "arrows", "measure", "separating"])
+    for (const name of ["ask_first", "ask_seen", "slow_hits", "arrows", "measure", "separating"])
         set(name, false);
-    for (const name of ["collision", "graph", "span"]) set(name, state.controls[name].choices[0]);
+    for (const name of ["graph", "span"]) set(name, state.controls[name].choices[0]);
     set("count", 5);
     set("e", 1);
     set("mass", 1);
@@ -26,8 +26,9 @@ PUT_BACK = """() => {
     send("restart");
     if (one("#sound").checked) one("#sound").click();
     for (const open of find("details[open]")) open.open = false;
-    one("#keys").hidePopover();
+    for (const popover of find("[popover]")) popover.hidePopover();
     if (document.documentElement.matches(".presenting")) present();
+    document.documentElement.classList.remove("counting");
     one("#small").disabled = false;
     document.activeElement.blur();
     resetView();

@@ -12,7 +12,6 @@ from grading.cradles import MIXED_CSV
 from src import special_cradles, visualize_cradle_run
 from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
-from support.cradle.collision import AS_MADE
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.pendulum import BUFFER, outwards_to_angle
@@ -28,18 +27,13 @@ def values(player, key):
 
 
 @BOTH
-def test_collisions_can_be_changed_and_survive_a_reload(swing, kind):
+def test_the_mass_and_e_of_all_survive_a_reload(swing, kind):
     player = swing(MIXED_CSV, kind=kind, e=0.25, mass=2.0)
     assert values(player, "mass") == [2.0] * 3
-    es = []
-    for collision in player.cradle.collisions:
-        player.next_cradle.want(collision=collision)
-        player.read(MIXED_CSV)
-        es.append(values(player, "e"))
-    assert es == [[0.9, 0.8, 0.7], [1, 1, 1], [0, 0, 0], [0.25, 0.25, 0.25]]
+    assert values(player, "e") == [0.25] * 3
     player.read(FIVE_CSV)
     assert values(player, "e") == [0.25] * 5
-    player.next_cradle.want(collision=AS_MADE)
+    player.next_cradle.want(es=None)
     player.read(FIVE_CSV)
     assert values(player, "e") == [1.0] * 5
 

@@ -62,7 +62,7 @@ def test_phi_is_measured_from_the_upper_cord(tmp_path):
 
 
 ANGLE = "an angle from -180 to 180 (degrees), for each of 5 pendula"
-LINES = "name, theta, phi, mass, e, question, why, or an answer after - or *"
+LINES = "name, theta, phi, mass, e, hidden, question, why, or an answer after - or *"
 FOUR = "- a = 0 0 0 0 0\n- b = 1 0 0 0 0\n- c = 2 0 0 0 0\n- d = 3 0 0 0 0\n"
 BAD = [  # an old and a new text; the beginning of the message after the name of the file; a part
     ("theta = -45", "theta = -180.5", ", theta: found '-180.5 -45 0 0 0', ", ANGLE),
@@ -83,6 +83,9 @@ BAD = [  # an old and a new text; the beginning of the message after the name of
     ("question", "e = 1 1 1 1\nquestion", ", e: found '1 1 1 1', ", "from 0 to 1"),
     ("question", "e = 1 1 1 1 1.1\nquestion", ", e: found '1 1 1 1 1.1', ", "from 0 to 1"),
     ("question", "mass = 1 1 1 1 0\nquestion", ", mass: found '1 1 1 1 0', ", "1e-300 to 1e6 (kg)"),
+    ("question", "hidden = mass 6\nquestion", ", hidden: found 'mass 6', ", "1 to 5, or e"),
+    ("question", "e = 1 1 1 1 0\nhidden = e\nquestion", ", hidden: found 'e', ", "e, if all have"),
+    ("question", "e = 0 0 0 0 0\nhidden = e\nquestion", ", hidden: found 'e', ", "one above 0"),
     ("question", "seconds = 0.5\nquestion", ", line 3: found 'seconds = 0.5', ", LINES),
     ("question", "theta = 0 0 0 0 0\nquestion", ", line 3: found 'theta = 0 0 0 0 0', ", LINES),
     ("- One=1 = 0", "- = 0", ", line 7: found '- = 0 0 0 0 100', ", LINES),

@@ -222,8 +222,7 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
         page.mouse.up()
         assert page.evaluate(OWN) == before
         assert pages.readout(page, "t") > time
-        pages.tick(page, "Predict first")
-        pages.press(page, "Two bobs")
+        pages.choose(page, "Two bobs")
         page.locator(".question").wait_for()
         page.keyboard.press("f")
         cut_for_a_while()

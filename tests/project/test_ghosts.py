@@ -140,11 +140,11 @@ def test_ghosts_of_a_recording_of_the_cradle_are_behind_its_bobs(csv, kind):
         assert ghost.color == bob.color
     [label] = rig.state["view"]["labels"]
     assert label["text"] == "a.csv"
-    rig.viewer.questions.predicted = lambda time: {2: [1.0]}
+    rig.viewer.questions.ghosts = lambda time: [{2: [1.0]}]
     rig.wait()
     assert len(visible_ghosts(rig)) == 1
     [label] = rig.state["view"]["labels"]
-    assert label["text"] == "your answer"
+    assert label["answer"] == 0
     rig.give("slow_hits", True)
     while rig.state["hit"] is None:
         rig.wait(FRAME)

@@ -60,7 +60,7 @@ def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch, dt):
 )
 def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     rig.save(HEADER + GOOD + GOOD.replace("red", "cyan"))
-    rig.give("graph", choice)
+    rig.give("all_graphs", choice)
     rig.wait(0.5)
     rig.viewer.take_sample()
     rig.wait()
@@ -82,7 +82,7 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
 
 
 def test_the_phase_picture_has_rest_in_its_middle_and_an_end(rig):
-    rig.give("graph", "Phase 1")
+    rig.give("all_graphs", "Phase 1")
     rig.wait(PHASE_SPAN[0] + 1)
     graph = rig.state["curves"]
     for first, last, column in (("from", "to", 0), ("bottom", "top", 1)):
@@ -96,7 +96,7 @@ def test_a_new_cradle_keeps_the_chosen_graph_if_it_can(rig):
     rig.save(HEADER + GOOD * (MOST_DRAWN + 3))
     assert rig.state["graph"] == ANGLES
     assert len(rig.state["curves"]["curves"]) == MOST_DRAWN
-    rig.give("graph", "Phase 7")
+    rig.give("all_graphs", "Phase 7")
     rig.save(HEADER + GOOD * 2)
     assert rig.state["graph"] == ENERGY
 

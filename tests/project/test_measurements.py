@@ -2,7 +2,7 @@
 
 import re
 from itertools import combinations, pairwise
-from math import acos, copysign, cos, degrees, sqrt
+from math import acos, copysign, cos, degrees, floor, pi, sqrt
 
 import pytest
 from programs import copy_project, OF_TESTS, python, slow_except
@@ -13,6 +13,7 @@ from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.prediction import Measurement
+from support.cradle.settings import settings_of
 from support.files.experiments import EXPERIMENTS, read_experiment, read_experiments
 
 KINDS = Cradle, DoubleCradle
@@ -21,7 +22,7 @@ TICK = Cradle.dt / PERIOD  # in small swings
 
 def measured(experiment, kind):
     """Measure this experiment with single ticks."""
-    player = Swing(make_live(kind), experiment.csv, [None] * kind.cord_count, None, 4, 1e9)
+    player = Swing(make_live(kind), settings_of(experiment), 4, 1e9)
     player.cradle.many_ticks = None
     go_on(player)
     player.cradle.pose(experiment.poses)
@@ -86,7 +87,7 @@ def check_this_world(keys=""):
         experiments, mistakes = read_experiments(EXPERIMENTS / kind.kind, kind.cord_count)
         assert mistakes == []
         for experiment in experiments:
-            if experiment.key not in (keys.split() or [experiment.key]):
+            if experiment.hidden or experiment.key not in (keys.split() or [experiment.key]):
                 continue
             found = measured(experiment, kind)
             assert found.outcome() == experiment.explained, (experiment.key, found.swings)
@@ -121,6 +122,38 @@ def test_an_experiment_is_right_with_any_cord_gravity_and_tick(world, tmp_path):
     check = f"{modules}; test_measurements.check_this_world({keys!r})"
     done = python("-c", check, folder=tmp_path, **OF_TESTS)
     assert done.returncode == 0, done.stderr
+
+
+# Of shipped experiments: the velocities after the hits, over that of bob 1 before, and the hits
+EXACT = {
+    "7_less_elastic": ([None, None, None, None, (1.9 / 2) ** 4], None),
+    "10_twice_the_mass": ([1 / 81, 4 / 81, 4 / 27, 4 / 9, 4 / 3], 10),
+    "11_all_arrives": ([0, 0, 1], 4),
+    "12_putty": ([1 / 16, 1 / 16, 1 / 8, 1 / 4, 1 / 2], 10),
+    "13_two_against_one": ([-1, 0, 0, 1, 1], None),
+    "14_a_step_between": ([-1 / 3, -2 / 9, 4 / 9], 2),
+    "15_count_the_hits": ([-1 / 8, 9 / 16, 15 / 16], 4),
+}
+
+
+@pytest.mark.parametrize("key", EXACT)
+def test_an_experiment_has_the_figures_of_the_theory(key):
+    velocities, hits = EXACT[key]
+    found = measured(read_experiment(EXPERIMENTS / "single" / f"{key}.txt", 1), Cradle)
+    for speed, velocity in zip(found.speeds, velocities, strict=True):
+        if velocity is not None:
+            assert speed / found.befores[0] == pytest.approx(abs(velocity), abs=0.003)
+    assert hits is None or found.numbers()["hits"] == str(hits)
+
+
+@pytest.mark.parametrize(("n", "hits"), [(2, 3), (3, 4), (5, 5), (7, 6), (10, 7), (20, 10)])
+def test_masses_n_1_n_hit_as_often_as_billiards_count_pi(n, hits, tmp_path):
+    """Galperin 2003: the whole part of pi / arccos(n / (n + 1))."""
+    assert hits == floor(pi / acos(n / (n + 1)))
+    text = (EXPERIMENTS / "single" / "15_count_the_hits.txt").read_text()
+    file = tmp_path / "n.txt"
+    file.write_text(text.replace("mass = 3 1 3", f"mass = {n} 1 {n}"))
+    assert measured(read_experiment(file, 1), Cradle).hit_count == hits
 
 
 SHORT = """\

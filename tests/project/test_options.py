@@ -21,15 +21,16 @@ CRADLE = {
     "mass": None,
     "angle": None,
     "lift": None,
+    "experiment": None,
 }
 PAGE = {
     **CRADLE,
-    "experiment": None,
     "ghosts": None,
     "port": 0,
     "host": "127.0.0.1",
     "browser": True,
     "html": None,
+    "html_all": None,
     "seconds": 10,
 }
 DOUBLE = {**PAGE, "phi": None}

@@ -23,7 +23,7 @@ from pages import (
     wait_for_time,
 )
 from programs import wait_until
-from shared_page import ASK, EDGES, edges, is_whole, printed, wait_for_text
+from shared_page import ASK, EDGES, is_whole, wait_for_text
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 
@@ -98,9 +98,11 @@ def test_the_graph_has_even_ticks_and_a_choice(shared):
     steps = [after - before for before, after in pairwise(numbers())]
     assert steps == pytest.approx([steps[0]] * len(steps))  # no tick is rounded
     assert numbers()[0] <= -40  # degrees: the first bob was released at -45
-    menu(shared, "Graph").select_option("Phase 5")
+    shared.locator(".details summary").click()
+    menu(shared, "All graphs").select_option("Phase 5")
     shared.locator(".y").get_by_text("omega (degrees/s)").wait_for()
     shared.locator(".x").get_by_text("theta (degrees)").wait_for()
+    assert menu(shared, "Graph").input_value() == "Phase 5"
     menu(shared, "Graph").select_option("no graph")
     plot.wait_for(state="hidden")
 
@@ -134,7 +136,7 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_
         sharp.mouse.move(20, 230, steps=3)  # below the canvas
         wait_until(lambda: -32 < bob_angles(sharp)[0] < -20)
         sharp.mouse.up()
-        wait_until(lambda: "1-2-3-4-5" in sharp.locator(".impacts").inner_text())
+        wait_until(lambda: "1-2-3-4-5" in sharp.locator(".impacts").text_content())
         sharp.mouse.move(20, 20)
         sharp.wait_for_function(HAS_CURSOR, arg="auto")
 
@@ -158,36 +160,58 @@ def test_an_edited_csv_shows_up_or_its_mistake(shared, file):
 
 
 def test_a_slow_double_click_on_a_picture_chooses_no_answer(shared):
-    """An answer comes below the mouse. A control keeps the keys, but no letter."""
+    """Here, the pictures are where an answer comes."""
     shared.set_viewport_size({"width": 1366, "height": 768})
-    tick(shared, "Predict first")
-    tile = button(shared, "All inelastic")
-    left, top, right, bottom = tile.evaluate(EDGES)
-    tile.click()
-    shared.locator(".choice").first.wait_for()
-    _, first_top, _, first_bottom = edges(shared, ".choice")
-    place = (left + right) / 2, (max(top, first_top) + min(bottom, first_bottom)) / 2
-    button(shared, "My cradle").click()
+    shared.add_style_tag(content="#gallery { margin-right: 0; margin-top: 3rem; }")
+    shared.evaluate("set('ask_first', true)")
+    pages.choose(shared, "Two against one")
+    answers = shared.locator(".answers").evaluate(EDGES)
+    pages.choose(shared, "My cradle")
     shared.locator(".question").wait_for(state="detached")
+    shared.locator(".choose").click()
+    left, top, right, bottom = button(shared, "Two against one").evaluate(EDGES)
+    place = (left + right) / 2, (max(top, answers[1]) + min(bottom, answers[3])) / 2
+    assert answers[0] < place[0] < answers[2]
     shared.mouse.click(*place)
     shared.locator(".choice").first.wait_for()
     shared.mouse.click(*place)
-    shared.keyboard.press("f")  # hands are counted in full screen
-    question = shared.locator(".question")
-    question.evaluate("element => element.isSame = true")
-    button(shared, "0 hands for B").press("Space")
-    shared.keyboard.press("Space")  # the button still has the keys
-    button(shared, "2 hands for B").wait_for()
-    # A screen reader says what is new in the question, which is one number
-    assert shared.evaluate("document.activeElement.textContent") == "2 hands"
-    status = shared.get_by_role("status").and_(shared.locator(":has(> .question)"))
-    assert status.get_attribute("aria-atomic") == "false"
-    assert question.evaluate("element => element.isSame")
     shared.keyboard.press("c")
     wait_for_text(shared, "You said: C")
 
 
-# The least width or height of a button for hands.
+def test_hands_are_counted_by_clicks_and_by_typing_when_they_are_shown(shared):
+    """The field keeps the keys. The picture of the question stays."""
+    pages.choose(shared, "Two bobs")
+    tick(shared, "Predict first")
+    hands = shared.get_by_label("Hands for B")
+    shared.locator(".choice").first.wait_for()
+    assert not hands.is_visible()
+    question = shared.locator(".question")
+    question.evaluate("element => element.isSame = true")
+    press(shared, "Count hands")
+    button(shared, "One hand more for B").press("Space")
+    shared.keyboard.press("Space")  # the button still has the keys
+    wait_until(lambda: hands.input_value() == "2")
+    button(shared, "One hand fewer for B").click()
+    wait_until(lambda: hands.input_value() == "1")
+    hands.fill("12")
+    hands.press("Tab")
+    for wrong in ("-1", "1.5", "1000", "many"):
+        hands.fill(wrong)
+        hands.press("Tab")
+        wait_until(lambda: hands.input_value() == "12")
+    shared.wait_for_function("() => state.question.votes.predicted[1] === 12")
+    # A screen reader says what is new in the question
+    status = shared.get_by_role("status").and_(shared.locator(":has(> .question)"))
+    assert status.get_attribute("aria-atomic") == "false"
+    assert question.evaluate("element => element.isSame")
+    press(shared, "Run")
+    wait_for_text(shared, "You said: B")
+    texts = "scene().__overlay_objects.objects.map(label => label.text)"
+    shared.wait_for_function(f"() => {texts}.includes('12 of you')")  # above the ghosts
+
+
+# The least width or height of a button, or a field, for hands.
 SMALLEST_HAND = """() => Math.min(...find(".hands").flatMap(hand => {
     const { width, height } = hand.getBoundingClientRect();
     return [width, height];
@@ -195,51 +219,57 @@ SMALLEST_HAND = """() => Math.min(...find(".hands").flatMap(hand => {
 # How many arrows, boxes and spheres are visible.
 SHAPES = """() => ["arrow", "box", "sphere"].map(
     kind => glowObjs.filter(o => o?.constructor.name === kind && o.visible).length)"""
+# What one can press.
+CONTROLS = """() => find("button, input, select, summary")
+    .filter(element => element.checkVisibility()).map(element => element.innerText)
+    .filter(text => text)"""
 
 
-def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(shared):
+def test_a_lesson_in_present_by_touch_alone_predict_see_and_explain(shared):
     """Only the first experiment comes with a key."""
     question = shared.locator(".question")
-    tick(shared, "Predict first")
-    pages.draw(shared, True)
     shared.keyboard.press("n")
+    for name in ("Say what you saw", "Predict first"):
+        tick(shared, name)
     question.get_by_text("One bob comes in.").wait_for()
+    shared.locator(".choose").tap()
     button(shared, "Two bobs").tap()
     question.get_by_text("Two bobs come in.").wait_for()
-    # The picture of the sheet is there as soon as all bobs were drawn
-    shared.wait_for_function("() => bobs().every(bob => bob.ready)")
-    shared.evaluate("new Promise(done => scene().bind('draw_complete', done))")
-    pages.draw(shared, False)
     button(shared, "Present").tap()
-    wait_until(lambda: menu(shared, "Collisions").is_hidden())
+    texts = shared.evaluate("state.question.answers")
+    answers = [f"{letter}\u2002{text}" for letter, text in zip("ABCD", texts, strict=True)]
+    hands = ["\u2212", "+"]
+    ways = ["‹", "›", "Two bobs\nExperiments ▾"]
+    only = [*answers, *hands * 4, *ways, "Run", "×"]
+    wait_until(lambda: sorted(shared.evaluate(CONTROLS)) == sorted(only))
     assert violations(shared) == {}
     wait_for_rest(shared)
     assert shared.evaluate(SMALLEST_HAND) >= 40  # pixels: a finger hits it
-    button(shared, "0 hands for C").tap()
-    button(shared, "1 hand for C").tap()
-    button(shared, "2 hands for C").click(button="right")
-    press(shared, "1 hand for C")
-    button(shared, "2 hands for C").wait_for()
-    press(shared, "one hand fewer for C")
-    button(shared, "1 hand for C").wait_for()
-    assert not shared.locator(".readout").is_visible()  # it waits for the answer
-    shared.get_by_label("Arrows").tap()
-    button(shared, "A\u2002One bob, twice as fast").tap()
+    button(shared, "One hand more for C").tap()
+    button(shared, answers[0]).tap()
+    question.get_by_text("What did you see?").wait_for()
+    assert not shared.locator(".readout").is_visible()
+    assert shared.evaluate(SHAPES) == [0, 6, 5 + 5]  # with the ghosts of A
+    assert not shared.evaluate("state.running")
+    button(shared, "Again").tap()
+    question.get_by_text("What did you see?").wait_for()
+    for letter in "BCC":
+        button(shared, f"One hand more for {letter}").tap()
+    button(shared, "Run").tap()
     question.get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
-    assert shared.evaluate(SHAPES) == [0, 6, 5 + 5]  # no bob moves while the picture rests
     assert question.get_by_text("You said: A, One bob, twice as fast.").is_visible()
-    assert question.get_by_role("img", name="C: 1 hand").is_visible()
-    assert printed(shared) < 0.2  # the first bob before its release, although it hangs now
-    for line in ("Name", "Date", "because", "half swings in"):
-        assert shared.locator(".sheet").get_by_text(line).is_visible()
-    assert shared.get_by_text("swung to (degrees)").is_visible()
-    shared.evaluate("dispatchEvent(new Event('afterprint'))")
-    shared.emulate_media(media="screen")
+    assert question.get_by_text("You saw: C.").is_visible()
+    for name in ("C, predicted: 1", "B, seen: 1", "C, seen: 2"):
+        assert question.get_by_role("img", name=name).is_visible()
+    shared.get_by_label("Arrows").tap()
     shared.get_by_label("Slow hits").tap()
     shared.locator(".hit-part").get_by_text("m/s").first.wait_for()
     # Of the velocities of the two bobs that move, and of the changes of momentum
     wait_until(lambda: shared.evaluate(SHAPES)[0] == 4)
     shared.keyboard.press("h")
+    assert not shared.locator(".plot").is_visible()
+    shared.get_by_label("Graph", exact=True).and_(shared.get_by_role("checkbox")).tap()
+    shared.locator(".plot").get_by_text("potential").wait_for()
     button(shared, "Pause").tap()
     shared.get_by_text("Paused", exact=True).wait_for()
     button(shared, "3").tap()
@@ -251,7 +281,49 @@ def test_a_lesson_in_present_by_touch_alone_from_the_question_to_the_sheet(share
     button(shared, "Next experiment").tap()
     question.get_by_text("Three bobs come in, and two hang.").wait_for()
     button(shared, "End the presentation").tap()
-    menu(shared, "Collisions").wait_for()
+    button(shared, "Previous experiment").tap()
+    question.get_by_text("Two bobs come in.").wait_for()
+    assert violations(shared) == {}
+
+
+def test_all_sheets_are_printed_at_once_two_on_a_page(shared):
+    """Nothing else is on the paper."""
+    shared.evaluate("window.print = () => {}")
+    shared.locator(".choose").click()
+    press(shared, "Print the sheets of all experiments")
+    shared.emulate_media(media="print")
+    sheets = shared.locator("article")
+    names = shared.evaluate("Object.keys(state.sheets)")
+    assert sheets.locator("h2").all_inner_texts() == names
+    assert len(names) == 18
+    for line in ("Name", "Date", "I predict", "I saw", "half swings in"):
+        assert sheets.first.get_by_text(line).is_visible()
+    assert sheets.last.get_by_text("My value").is_visible()
+    assert sheets.nth(1).locator("circle").count() == 5
+    assert not shared.locator(".picture, .readout").first.is_visible()
+    pages_of_paper = shared.pdf(format="A4").count(b"/Type /Page\n")
+    assert pages_of_paper == 9
+    shared.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert sheets.count() == 0
+    shared.emulate_media(media="screen")
+
+
+def test_a_hidden_mass_is_found_with_what_the_page_shows(shared):
+    """From the speeds before and after the first hit: m = 1 kg w' / (v - v')."""
+    tick(shared, "Slow hits")
+    pages.choose(shared, "An unknown mass")
+    hit = shared.locator(".hit-part td")
+    hit.first.wait_for()
+    (before, after), (_, other) = [
+        map(float, hit.nth(cell).inner_text().split(" → ")) for cell in (3, 5)
+    ]
+    mass = other / (before - after)
+    shared.get_by_label("mass of bob 1 =").fill("heavy")
+    press(shared, "Check")
+    wait_for_text(shared, "Type a number, such as 1.5.")
+    shared.get_by_label("mass of bob 1 =").fill(f"{mass:.2f}")
+    press(shared, "Check")
+    wait_for_text(shared, "The hit keeps the momentum")
     assert violations(shared) == {}
 
 
@@ -293,7 +365,7 @@ HIT = """async speed => {
 
 
 def test_a_faster_hit_is_louder_and_only_if_you_ask_for_sound(shared):
-    wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").inner_text())
+    wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").text_content())
     assert shared.evaluate("peak()") is None
     shared.evaluate("one('#sound').checked = true")  # as Firefox does after F5
     shared.keyboard.press("v")

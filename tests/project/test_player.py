@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from unittest.mock import patch
 
 import pytest
-from whole_cradles import checked, make_live
+from whole_cradles import make_live, settings_for
 
 from src import visualize_cradle_run
 from support.constants import DT
@@ -25,7 +25,8 @@ class Timed(Player):
 
     def __init__(self, csv, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
         """A tick costs `tick`, a call of the fast path `call`; hiccup delays frame 60 (s)."""
-        super().__init__(make_live(), checked(csv), [None], None, 4, 100 * DT)
+        cradle = make_live()
+        super().__init__(cradle, settings_for(cradle, csv), 4, 100 * DT)
         self.until, self.tick, self.call, self.hiccup = until, tick, call, hiccup
         self.now = self.slept = 0.0
         self.frames = 0

@@ -1,4 +1,4 @@
-"""Which cradle the page plays: the sliders, the ways to collide, and what you choose.
+"""Which cradle the page plays: the sliders, and what you choose.
 
 On the stand-in.
 """
@@ -12,14 +12,13 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER
 from src import visualize_cradle_run
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.page.graph import ENERGY, NOTHING
+from support.page.graph import ENERGY, MOMENTA, NOTHING
 from support.pendulum import outwards_to_angle
 
 CSV = "My cradle"
 TWO = "Two bobs"
 FROM_BOTH_SIDES = "From both sides"
 HEAVY = "A heavy one hits light ones"
-INELASTIC = "perfectly inelastic, e = 0"
 
 
 def test_the_box_of_a_fixed_rule_is_fixed(rig, csv, monkeypatch):
@@ -58,27 +57,11 @@ def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back
     assert not rig.state["changed"]
 
 
-def test_the_menu_of_collisions_has_the_present_one(rig):
-    names = rig.control("collision")["choices"]
-    rig.viewer.cradle_settings.set_e(0.3)
-    rig.wait()
-    assert rig.state["collision"] == "e = 0.3"
-    assert rig.values("e") == [0.3] * 5
-    assert rig.control("collision")["choices"] == [*names, "e = 0.3"]
-    rig.give("collision", names[0])
-    assert rig.control("collision")["choices"] == names
-    assert rig.values("e") == [1.0] * 5
-
-
-def test_one_e_for_all_bobs_has_the_names_of_the_menu(rig):
-    """The slider shows the e of all bobs, also that of the last one."""
-    names = rig.control("collision")["choices"]
-    for e, name in ((1, "elastic, e = 1"), (0.35, "e = 0.35"), (0, INELASTIC)):
+def test_the_slider_of_e_sets_that_of_all_bobs_and_shows_all(rig):
+    for e in (1, 0.35, 0):
         rig.give("e", e)
         assert rig.values("e") == [e] * 5
         assert rig.state["e"] == e
-        assert rig.state["collision"] == name
-        assert rig.control("collision")["choices"] == [*dict.fromkeys([*names, name])]
         assert rig.control("e")["text"] == f"{e:g}"
     rig.give("edit", 4, "e", "0.5")
     assert rig.state["e"] == 0.5
@@ -102,7 +85,6 @@ def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig, csv):
     rig.give("mass", 5)
     assert rig.values("mass") == [5, 1, 1, 1, 1]
     assert rig.control("mass")["text"] == "5 kg"
-    assert rig.state["collision"] == "as changed"
     assert csv.read_text() == FIVE_CSV
     limits = {"min": 0.5, "max": 10}
     assert rig.control("mass") == rig.control("mass") | limits
@@ -133,7 +115,6 @@ def test_bobs_are_added_and_taken_away_at_the_right_end(csv, kind):
     assert rig.values("texture") == ["wood", *["metal"] * 5]
     assert rig.bob_angles() == [30, 30, 0, 0, 0, 0]
     assert rig.control("lifted")["max"] == 6
-    assert rig.state["collision"] == "as changed"
     rig.give("edit", 3, "mass", "no mass")
     rig.give("count", 1)
     assert rig.values("color") == ["white"]
@@ -186,17 +167,16 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
         assert rig.values(key)[0] == pytest.approx(outwards_to_angle(angle))
     assert rig.state["angle_theta"] == 75
     assert rig.state["keys"] == ["theta", "phi", "omega", "phi_omega"]
-    assert rig.control("graph")["choices"] == [
-        ENERGY,
-        "Angles theta",
-        "Angles phi",
+    main = [ENERGY, MOMENTA, "Angles theta", "Angles phi", NOTHING]
+    assert rig.control("graph")["choices"] == main
+    assert rig.control("all_graphs")["choices"] == [
+        *main,
         "Velocities omega",
         "Velocities phi_omega",
         "Phase 1, theta",
         "Phase 1, phi",
         "Phase 2, theta",
         "Phase 2, phi",
-        NOTHING,
     ]
     rig.give("graph", "Angles phi")
     assert rig.state["curves"]["y"] == "phi (degrees)"
@@ -226,7 +206,7 @@ def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
     rig.give("edit", 1, "mass", "3")
     rig.give("release_angle", 20)
     rig.give("lifted", 2)
-    rig.give("collision", INELASTIC)
+    rig.give("e", 0)
     rig.give("experiment", FROM_BOTH_SIDES)
     rig.give("lifted", 5)
     if is_saved:
@@ -235,7 +215,6 @@ def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
     else:
         rig.give("experiment", CSV)
     assert rig.state["experiment"] == CSV
-    assert rig.state["collision"] == INELASTIC
     assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
     assert {*rig.values("e")} == {0}
     assert rig.bob_angles()[:3] == [20, 20, 0]

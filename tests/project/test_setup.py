@@ -126,4 +126,4 @@ def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, t
         go_on(viewer)
         assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
         assert len(viewer.cradle.pend_list) == count
-        assert viewer.questions.is_asking == (path == BUILT_IN)
+        assert bool(viewer.questions.asking) == (path == BUILT_IN)

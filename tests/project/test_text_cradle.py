@@ -14,7 +14,7 @@ from unittest.mock import Mock
 import pandas as pd
 import pytest
 from programs import call
-from whole_cradles import checked, FIVE_CSV, make_live, PERIOD
+from whole_cradles import FIVE_CSV, make_live, PERIOD, settings_for
 
 from src import text_cradle_run
 from src.visualize_cradle_run import main as cradle_main
@@ -44,8 +44,9 @@ def main(monkeypatch, capsys):
 def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     """On a clock on which only sleeping takes time."""
     seconds = 0.7 + PERIOD / 2  # after the hits have run through the row and back
-    options = SimpleNamespace(angle=outwards_to_angle(30), lift=1, seconds=seconds)
-    player = players.Lines(make_live(), checked(csv), options)
+    cradle = make_live()
+    settings = settings_for(cradle, csv, [outwards_to_angle(30)], 1)
+    player = players.Lines(cradle, settings, SimpleNamespace(seconds=seconds))
     slept = []
     player.pace = RealTime(
         DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4))

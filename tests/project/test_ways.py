@@ -10,7 +10,7 @@ from types import SimpleNamespace
 
 import pytest
 from programs import ROOT, slow_except
-from whole_cradles import checked
+from whole_cradles import settings_for
 
 from support.cradle.cradle import Cradle
 from support.cradle.functions import is_yours
@@ -200,7 +200,7 @@ class Listener(Player):
     """Plays two cradles after each other, and keeps the hits of each."""
 
     def __init__(self, cradle, csv):
-        super().__init__(cradle, checked(csv), [None], None, impacts=9, step_seconds=0.01)
+        super().__init__(cradle, settings_for(cradle, csv), impacts=9, step_seconds=0.01)
         self.cradles = []  # the hits of each
 
     def looks_at_hits(self):

@@ -53,7 +53,7 @@ def test_the_whole_swing_is_in_view(at_rest, size):
 def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_rest(at_rest, size):
     resize(at_rest, size)
     for name in ("Run", "Step", "Restart"):
-        assert is_whole(at_rest, f"button:has-text('{name}')")
+        assert is_whole(at_rest, f".controls button:has-text('{name}')")
     at_rest.locator(".programmers summary").click()
     for name in ("tr:has(.now:not(:empty)) [aria-label='e of pendulum 5']", ".programmers summary"):
         wait_until(lambda name=name: is_whole_after_scrolling(at_rest, name))
@@ -64,7 +64,7 @@ def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_re
 def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest, size):
     resize(at_rest, size)
     assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(one('.panel'))") == 0
-    for selector in (".readout", ".impacts", ".graph", "select", "summary", ".head"):
+    for selector in (".readout", ".graph select", "summary", ".head"):
         assert is_whole(at_rest, selector)
     apart = pixel(at_rest, 4, 0)[0] - pixel(at_rest, 3, 0)[0]
     assert 0.95 * apart >= 60 / 1366 * size[0]  # the width of a bob
@@ -102,7 +102,7 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
     arguments = [*pages.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
     sizes = """() => [
         getComputedStyle(document.body).fontSize,
-        getComputedStyle(one(".impacts")).fontSize,
+        getComputedStyle(one(".hint")).fontSize,
         scene().__overlay_objects.objects[0].height,
     ]"""
     with (
@@ -116,55 +116,6 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
             resize(page, size)
             faults = page.evaluate(FAULTS)
             assert not faults, "\n".join(faults)
-
-
-# The lower edges of the lines of impacts that are not in a hidden column.
-VISIBLE_LINES = """() => {
-    const { right } = one(".series").getBoundingClientRect();
-    const lines = find(".series div").map(line => line.getBoundingClientRect());
-    return lines.filter(line => line.left < right).map(line => line.bottom);
-}"""
-
-
-def test_impacts_break_between_chains_and_each_line_is_whole_or_hidden(at_rest):
-    chains = ["1-2-3", "1-2-3-4", "1-2-3-4-5", "1-2-3-4-5-6", "1-2-3-4-5-6-7"]
-    lines = [f"t = 12.34 s  {chain}  {chain}  {chain}" for chain in chains]
-    at_rest.evaluate(SHOW_IMPACTS, [at_rest.evaluate("state.colors"), lines])
-    bottoms = at_rest.evaluate(VISIBLE_LINES)
-    assert 2 <= len(bottoms) < 5
-    assert max(bottoms) <= edges(at_rest, ".series")[3] + 1
-    rows = at_rest.evaluate("find('.series span').map(chain => chain.getClientRects().length)")
-    assert max(rows) == 1
-
-
-SHOW_IMPACTS = """([colors, lines]) => {
-    Object.assign(state, { colors, impacts: lines });
-    update("impacts");
-}"""
-SHOWN_CHAINS = """() => find(".series div > span")
-    .map(word => [...word.querySelectorAll(".dots i")].map(dot => dot.style.backgroundColor))
-    .filter(colors => colors.length)"""
-
-
-def test_a_chain_is_dots_in_the_colors_of_its_bobs_or_numbers_where_the_system_forces_colors(
-    at_rest,
-):
-    lines = ["t = 1.00 s  5-4-3", "t = 0.50 s  1-2-...-5  1...", "t = 0.25 s  1 to 5 keep touching"]
-    colors = [f"rgb({number}, 0, 0)" for number in (1, 2, 3, 4, 1)]
-    at_rest.evaluate(SHOW_IMPACTS, [colors, lines])
-    assert at_rest.evaluate(SHOWN_CHAINS) == [
-        [colors[4], colors[3], colors[2]],
-        [colors[0], colors[1], colors[4]],
-    ]
-    # Bobs 1 and 5 have one color
-    assert at_rest.get_by_title("1-2-...-5").inner_text() == "1--...-5"
-    assert at_rest.locator(".series").get_by_text("touching").is_visible()
-    numbers = at_rest.locator(".series").get_by_text("5-4-3")
-    cut = "e => getComputedStyle(e).clipPath"
-    assert numbers.evaluate(cut) != "none"
-    at_rest.emulate_media(forced_colors="active")
-    assert numbers.evaluate(cut) == "none"
-    assert not at_rest.locator(".dots").first.is_visible()
 
 
 # Whether the panel and the canvas are both dark, or both light.

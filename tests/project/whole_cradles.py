@@ -17,6 +17,7 @@ from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
 from support.cradle.dragging import move
 from support.cradle.player import Player
+from support.cradle.settings import Settings
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import CradleCsv, read_cradle
@@ -162,6 +163,12 @@ class Swing(Player):
         go_on(self)
 
 
+def settings_for(cradle, file, angles=(None,), lifted=None) -> Settings:
+    """Return the settings of a CSV's cradle, released from these angles (rad)."""
+    pendula = checked(file, cradle.cord_count)
+    return Settings(pendula, [*angles], lifted, cradle.es, cradle.mass)
+
+
 def make_swing(
     folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, phi=20, **options
 ) -> Swing:
@@ -173,7 +180,7 @@ def make_swing(
     file = folder / "cradle.csv"
     file.write_text(csv)
     cradle = make_live(kind, **options)
-    player = Swing(cradle, checked(file, kind.cord_count), angles, lift, impacts, 1e9)
+    player = Swing(cradle, settings_for(cradle, file, angles, lift), impacts, 1e9)
     go_on(player)
     return player
 

@@ -1,6 +1,6 @@
 """What the page draws to show why the cradle moves so: arrows, ghosts, rings, a dial, and texts."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import degrees, hypot, pi, radians, sqrt
 from typing import Any, NamedTuple
 
@@ -8,6 +8,7 @@ from vpython import arrow, cylinder, ring, sphere, vector
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
+from support.cradle.motion import digits_for
 from support.energy import bob_motions, momentum
 from support.page.scene.slow_hits import SlowHit, SlowHits
 from support.pendulum import arm, cord_angles, make_shape, Pendulum
@@ -44,13 +45,15 @@ class Label(NamedTuple):
     y: float
     text: str
     kind: str
+    answer: int | None = None  # of its ghosts, if it is their name
 
 
 class GhostPoses(NamedTuple):
     """Where ghosts are: the angles (rad) of cords from straight down, by the pendulum's index."""
 
     poses: Mapping[int, Sequence[float]]
-    name: str  # of the ghosts
+    name: str = ""  # of the ghosts of a file
+    answer: int | None = None  # whose they are: ghosts.js shows those of yours, and names them
 
 
 class Marks:
@@ -61,13 +64,14 @@ class Marks:
         self.measures = False  # whether the dial, the angles and the speeds are shown
         self.momenta: list[float] = []  # kg m/s: of the pendula, while there are arrows
         self.ghosts: list = []
-        self.ghost_labels: list[Label] = []
+        self.answers: list[int | None] = []  # of the ghosts: their answers
         self.shapes: dict[str, list] = {}  # all that were made, by their name
 
     def surround(self, cradle: Cradle) -> None:
         """Take a cradle: a new one, or one in which a bob was dragged."""
         self.cradle = cradle
         self.largest = cradle.most_momentum() or 1.0  # kg m/s: its bar has the full length
+        self.digits = digits_for(max(cradle.top_speeds(), default=0.0))  # of a speed
         self.place_dial()
 
     def take(self, name: str, count: int, kind: type, **attributes: Any) -> list:
@@ -93,7 +97,7 @@ class Marks:
         self.measures = is_shown
         self.place_dial()
 
-    def show(self, slow_hits: SlowHits, ghosts: GhostPoses) -> list[Label]:
+    def show(self, slow_hits: SlowHits, ghosts: Sequence[GhostPoses]) -> list[Label]:
         """Show all marks: as in the current slow hit, or as it is now. Return the texts.
 
         During a slow hit, there are no ghosts: they cover its arrows.
@@ -103,9 +107,8 @@ class Marks:
         self.show_arrows(pend_list)
         self.show_belts()
         self.show_hit(slow_hit)
-        poses = {} if slow_hit else ghosts.poses
-        self.show_ghosts(poses, ghosts.name)
-        return [*self.bob_labels(pend_list), *self.dial_labels(), *self.ghost_labels]
+        names = self.show_ghosts([] if slow_hit else ghosts)
+        return [*self.bob_labels(pend_list), *self.dial_labels(), *names]
 
     # --- the motion --------------------------------------------------------------------------
 
@@ -139,10 +142,11 @@ class Marks:
         The width of a belt follows from the size of a ball with this mass. The bobs themselves keep
         the radius with which they collide.
         """
-        lightest = min(self.cradle.values("mass"))
+        masses = self.cradle.shown("mass")
+        lightest = min((mass for mass in masses if mass), default=1.0)
         belted = []
-        for pend in self.cradle.pend_list:
-            width = min(WIDEST, (pend["mass"] / lightest) ** (1 / 3) - 1)
+        for pend, mass in zip(self.cradle.pend_list, masses, strict=True):
+            width = min(WIDEST, ((mass or lightest) / lightest) ** (1 / 3) - 1)
             if width > 0:
                 belted += [(bob, width) for bob in pend["objects"][1::2]]
         belts = self.take("belts", len(belted), cylinder, color=DARK)
@@ -154,17 +158,22 @@ class Marks:
 
     def bob_labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
         """Return texts below the bobs: the mass, if masses differ; and what is measured."""
-        has_masses = len({*self.cradle.values("mass")}) > 1
+        masses = self.cradle.shown("mass")
+        has_masses = len({*masses}) > 1
         labels = []
-        for pend in pend_list:
+        for pend, mass in zip(pend_list, masses, strict=True):
             motions = bob_motions(pend, R_PARAM)
             bobs = pend["objects"][1::2]
             for bob, angle, (_, vx, vy) in zip(bobs, cord_angles(pend), motions, strict=True):
                 lines = []
                 if has_masses:
-                    lines.append(f"{pend['mass']:g} kg")
+                    lines.append("? kg" if mass is None else f"{mass:g} kg")
                 if self.measures:  # bobs are near each other: the unit has its own line
-                    lines += [f"{abs(degrees(angle)):.0f}°", f"{hypot(vx, vy):.2f}", "m/s"]
+                    lines += [
+                        f"{abs(degrees(angle)):.0f}°",
+                        f"{hypot(vx, vy):.{self.digits}f}",
+                        "m/s",
+                    ]
                 below = bob.pos.y - 1.15 * bob.radius
                 if lines:
                     labels.append(Label(bob.pos.x, below, "\n".join(lines), "bob"))
@@ -186,8 +195,9 @@ class Marks:
             circle.pos = bob.pos + bob.radius * TO_CAMERA
             circle.radius = 1.05 * bob.radius
             circle.thickness = 0.08 * bob.radius
-        arrows = self.take("changes", len(pair), arrow, color=MAGENTA, pickable=False)
-        if not slow_hit:
+        count = 0 if self.cradle.hidden else len(pair)
+        arrows = self.take("changes", count, arrow, color=MAGENTA, pickable=False)
+        if not slow_hit or not arrows:
             return
         for pointer, number, old, new in zip(
             arrows, pair, slow_hit.hit.before, slow_hit.hit.after, strict=True
@@ -200,22 +210,34 @@ class Marks:
             )
             pointer.shaftwidth = bob.radius / 2
 
-    # --- ghosts: of the answer, or of a file -----------------------------------------------------
+    # --- ghosts: of each answer, or of a file ----------------------------------------------------
 
-    def show_ghosts(self, poses: Mapping[int, Sequence[float]], name: str) -> None:
-        """Show ghosts of bobs and cords, or none.
+    def show_ghosts(self, all_poses: Sequence[GhostPoses]) -> list[Label]:
+        """Show ghosts of bobs and cords, or none; return their names.
 
-        poses has the angles (rad) of cords from straight down, by the index of the pendulum. The
-        name stands at the first ghost that is nearly as far out as the farthest one. Nobody can
-        pick a ghost. So it is no bob for the page (canvas.js), and looks transparent (light.js).
+        Nobody can pick a ghost. So it is no bob for the page (canvas.js), and looks transparent
+        (light.js). ghosts.js hides those of other answers.
         """
-        count = sum(map(len, poses.values()))
+        self.answers = []
+        for ghosts in all_poses:
+            self.answers += [ghosts.answer] * sum(map(len, ghosts.poses.values()))
+        count = len(self.answers)
         self.ghosts = self.take("ghosts", count, sphere, shininess=0, pickable=False)
         threads = self.take("threads", count, cylinder, pickable=False)
         shapes = zip(self.ghosts, threads, strict=True)
-        farthest = max((abs(upper) for upper, *_ in poses.values()), default=0.0)
-        self.ghost_labels = []
-        for index, angles in poses.items():
+        names: list[Label] = []
+        for ghosts in all_poses:
+            names += self.place_ghosts(ghosts, shapes)
+        return names
+
+    def place_ghosts(self, ghosts: GhostPoses, shapes: Iterator) -> list[Label]:
+        """Place the next of these shapes, a ghost and its thread; return the name, in a list.
+
+        The name stands at the first ghost that is nearly as far out as the farthest one.
+        """
+        farthest = max((abs(upper) for upper, *_ in ghosts.poses.values()), default=0.0)
+        names: list[Label] = []
+        for index, angles in ghosts.poses.items():
             axle, *parts = self.cradle.pend_list[index]["objects"]
             behind = parts[0].radius * BEHIND
             end = axle.pos + behind
@@ -230,11 +252,12 @@ class Marks:
                 ghost.pos = end
                 ghost.radius = 0.97 * bob.radius  # hidden by the bob, where both are in one place
                 ghost.color = bob.color
-            if abs(angles[0]) >= 0.9 * farthest and not self.ghost_labels:
+            if abs(angles[0]) >= 0.9 * farthest and not names:
                 axis = arm(angles[0], R_PARAM)
                 x = axle.pos.x + 0.7 * axis.x  # not at the edge of the picture
                 y = axle.pos.y + axis.y + parts[0].radius
-                self.ghost_labels = [Label(x, y, name, "name")]
+                names = [Label(x, y, ghosts.name, "name", ghosts.answer)]
+        return names
 
     # --- measurements --------------------------------------------------------------------------
 

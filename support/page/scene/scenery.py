@@ -14,7 +14,7 @@ TO_POSTS = 0.86  # from the outer axles, in lengths of the cords: a bob at 45 de
 OVERHANG = 0.06  # of the base beyond the posts, in lengths of the cords
 TEXT = 1 / 30  # the height of the numbers above the axles, in heights of the canvas
 LINE_HEIGHT = 1.3  # from line to line, in heights of the text
-HIT_LINES = 5  # of text about a slow hit, above the cradle
+HIT_LINES = 6  # of text about a slow hit, above the cradle
 CANVAS = 1.1  # about the height of the canvas, in heights of the frame
 
 
@@ -105,7 +105,8 @@ class Scenery:
                     points.append((x, y, side * (depth / 2 + OVERHANG * cords_length)))
         if self.wide_swings:
             widest = cords_length + radius
-            highest = top + self.above + 2 * radius
+            room = 4 if self.above else 2  # radii: for a bob, and the name of a ghost
+            highest = top + self.above + room * radius
             points.append((self.numbers[0].x - widest, highest, 0))
             points.append((self.numbers[-1].x + widest, highest, 0))
         return {

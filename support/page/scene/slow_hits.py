@@ -5,13 +5,21 @@ from collections.abc import Sequence
 from math import inf
 from typing import NamedTuple
 
+from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
+from support.cradle.motion import digits_for, signed
+from support.energy import energies
 from support.pendulum import Pendulum
 
 EACH = 1.2  # s that each hit is shown
 FAINTEST = 0.3  # of the arrows of a hit
-CAPTION = "Pink: the changes of momentum. The program computes the hits pair by pair."
+PINK = "Pink: the changes of momentum. "
+CAPTION = "The program computes the hits pair by pair."
+# What one sees of a hit, and what one would learn of a hidden value.
+VELOCITY = "velocity (m/s)"
+MEAN_VELOCITY = "mean velocity (m/s)"  # of a double pendulum's two bobs
+WITH_MASS = "change of momentum (kg m/s)", "kinetic energy (J)"
 
 
 class SlowHit(NamedTuple):
@@ -90,25 +98,39 @@ class SlowHits:
         return max(FAINTEST, round((self.until - now) / EACH, 2))
 
     def state(self) -> dict | None:
-        """Return what the page says of the hit: a title, lines and a caption; or None."""
+        """Return what the page says of the hit: rows of a table and a caption; or None."""
         if not self.current:
             return None
         hit = self.current.hit
-        if self.cradle.cord_count == 1:
-            noun, plural = "bob", "bobs"
-        else:
-            noun, plural = "pendulum", "pendula"
-        lines = []
+        is_single = self.cradle.cord_count == 1
+        is_hidden = bool(self.cradle.hidden)
+        digits = digits_for(max(self.cradle.top_speeds()))
+        rows = [[f"Hit {self.current.number}", VELOCITY if is_single else MEAN_VELOCITY]]
+        if not is_hidden:
+            rows[0] += WITH_MASS
         for i, old, new in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            lines.append(
-                f"{noun} {i + 1}: {self.velocity_as_text(old)} → {self.velocity_as_text(new)} m/s"
-            )
-        return {
-            "title": f"Hit {self.current.number}: {plural} {hit.left + 1} and {hit.right + 1}",
-            "lines": lines,
-            "caption": CAPTION,
-        }
+            before, after = self.velocity(old), self.velocity(new)
+            row = [
+                f"{'bob' if is_single else 'pendulum'} {i + 1}",
+                f"{signed(before, digits)} → {signed(after, digits)}",
+            ]
+            if not is_hidden:
+                change = self.cradle.whole_mass(new) * (after - before)
+                row += [signed(change), f"{kinetic_as_text(old)} → {kinetic_as_text(new)}"]
+            rows.append(row)
+        return {"rows": rows, "caption": CAPTION if is_hidden else PINK + CAPTION}
 
-    def velocity_as_text(self, pend: dict) -> str:
-        """Return the (mean) velocity of a pendulum's bobs to the right (m/s) as text."""
-        return f"{round(self.cradle.velocity(pend), 2) + 0.0:+.2f}"  # not -0.00
+    def velocity(self, pend: Pendulum) -> float:
+        """Return the velocity of a bob along its arc (m/s), as handle_collision has it.
+
+        Of a double pendulum, it is the mean velocity of its bobs to the right.
+        """
+        if self.cradle.cord_count == 1:
+            return R_PARAM * pend["omega"]
+        return self.cradle.velocity(pend)
+
+
+def kinetic_as_text(pend: Pendulum) -> str:
+    """Return the kinetic energy of a pendulum (J) as text."""
+    kinetic, _ = energies([pend], R_PARAM, G)
+    return f"{kinetic:.3f}" if kinetic < 1e4 else f"{kinetic:.2e}"

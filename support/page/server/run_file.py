@@ -27,8 +27,7 @@ from support.page.server.web_files import (
 
 # Of the state; the rest is for controls, or names files of this machine.
 STATE_OF_RUN = (
-    "title", "question", "hit", "motion", "bars", "impacts", "colors", "curves", "view", "summary",
-    "ended",
+    "title", "question", "unknown", "hit", "motion", "bars", "curves", "view", "summary", "ended",
 )  # fmt: skip
 CURVES = 0.4  # s from one state of the graph to the next: it is most of the film
 LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")

@@ -3,10 +3,11 @@
 import { fit, follow, limit, look } from "camera";
 import { dark } from "colors";
 import { canDraw, coordinates, draw, layers, rgb, scene, vec } from "glow";
+import { showGhosts } from "ghosts";
 import { endPicture, light, paintShapes, shine } from "light";
 import { listen } from "mouse";
 import { css, notice, one, remember, show, state, update } from "page";
-import { keepPicture } from "paper";
+import "paper";
 import { isOpen } from "program";
 
 let hasBegun = false;
@@ -18,7 +19,14 @@ export function showPicture({ state: changes, ...drawing }) {
   if (canDraw) draw(drawing);
   Object.assign(state, changes);
   for (const name in changes) update(/** @type {any} */ (name));
-  if (hasBegun) light();
+  showYourGhosts();
+}
+
+// Show the ghosts of your answer, in the picture of now.
+export function showYourGhosts() {
+  if (!hasBegun) return;
+  showGhosts();
+  light();
 }
 
 show("view", view => { // the first one comes with the canvas
@@ -36,7 +44,6 @@ function begin() {
   // The first picture waits for the bobs and their textures: one without them would only delay it.
   scene().waitfor_textures = true;
   scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
-  scene().bind("draw_complete", keepPicture);
   scene().bind("draw_complete", endPicture);
   element.addEventListener("webglcontextlost", stopDrawing);
   element.addEventListener("webglcontextrestored", loadAgain);

@@ -11,6 +11,9 @@ show("pictures", pictures => {
   one(".gallery").replaceChildren(...Object.entries(pictures).map(makeTile));
   markTile();
 });
+one(".gallery").addEventListener("click", ({ target }) => {
+  if (target.closest("button")) one("#gallery").hidePopover();
+});
 show("controls", markTile);
 show("changed", markTile);
 show("mistakes", mistakes => {
@@ -27,9 +30,11 @@ function makeTile([name, pendula]) {
 function markTile() {
   for (const tile of find(".gallery button")) {
     const isChosen = tile.title === state.controls?.experiment.value;
-    if (isChosen && tile.ariaPressed !== "true") tile.scrollIntoView({ block: "nearest" });
     tile.ariaPressed = isChosen;
-    tile.lastChild.textContent = isChosen && state.changed ? `${tile.title}, changed` : tile.title;
+    if (!isChosen) continue;
+    const name = state.changed ? `${tile.title}, changed` : tile.title;
+    const word = make("b", {}, "Experiments ▾");
+    one(".choose").replaceChildren(tile.firstChild.cloneNode(true), make("span", {}, name), word);
   }
 }
 
@@ -40,15 +45,16 @@ function draw(kind, attributes, ...parts) {
   return element;
 }
 
-function drawCradle(pendula) {
+export function drawCradle(pendula) {
   const width = SPACING * (pendula.length - 1);
-  const lightest = Math.min(...pendula.map(({ mass }) => mass));
+  const lightest = Math.min(...pendula.map(({ mass }) => mass ?? Infinity));
   const left = -CORD;
   const view = `${left} -2 ${width + 2 * CORD} ${CORD + RADIUS * LARGEST_BOB + 4}`;
   const rail = draw("line", { x1: left / 2, x2: width - left / 2, y1: 0, y2: 0 });
   const drawing = draw("svg", { viewBox: view, "aria-hidden": true }, rail);
   pendula.forEach(({ color, mass, angles }, number) => {
-    const radius = RADIUS * Math.min(LARGEST_BOB, Math.cbrt(mass / lightest));
+    const isHidden = mass === null;
+    const radius = RADIUS * (isHidden ? 1 : Math.min(LARGEST_BOB, Math.cbrt(mass / lightest)));
     let [x, y] = [SPACING * number, 0];
     for (const angle of angles) {
       const [x1, y1] = [x, y];
@@ -56,6 +62,7 @@ function drawCradle(pendula) {
       y += CORD / angles.length * Math.cos(angle);
       drawing.append(draw("line", { x1, y1, x2: x, y2: y }));
       drawing.append(draw("circle", { cx: x, cy: y, r: radius, fill: color }));
+      if (isHidden) drawing.append(draw("text", { x, y: y + 3 }, "?"));
     }
   });
   return drawing;

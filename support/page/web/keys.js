@@ -13,6 +13,7 @@ export const keys = {
   ArrowRight: () => send("step"),
   r: () => send("restart"),
   n: () => send("next"),
+  p: () => send("previous"),
   f: () => present(),
   v: () => resetView(),
   h: () => set("slow_hits", !state.controls.slow_hits.value),

@@ -1,109 +1,120 @@
-// The question of an experiment: its answers, the reply, what happened; and its sheet on paper.
+// The question of an experiment: what you predict, what you have seen, and what happened.
 import { find, make, one, show } from "page";
 import { send } from "program";
 
 let shown; // the question of now, as text, but for the hands while they are counted
 
 show("question", question => {
-  const isCounting = question?.asking;
-  const text = JSON.stringify(isCounting ? { ...question, votes: [] } : question);
-  if (text !== shown) {
-    const parts = question ? [makeQuestion(question), makeSheet(question)] : [];
-    one(".questions").replaceChildren(...parts);
-  }
+  const isAsking = question?.asking;
+  const text = JSON.stringify(isAsking ? { ...question, votes: null } : question);
+  if (text !== shown) one(".asked").replaceChildren(...question ? [makeQuestion(question)] : []);
   shown = text;
-  if (isCounting) question.votes.forEach(showHands); // in their buttons, which keep the keys
+  if (isAsking) question.votes[isAsking].forEach(showHands); // in their fields, which keep the keys
 });
 
 const LETTERS = "ABCDE";
+const MOST_HANDS = 999;
+const WORDS = { predicted: "You said", seen: "You saw" };
 const paragraph = (...parts) => make("p", {}, ...parts);
 const strong = text => make("strong", {}, text);
-const tableRow = cells => make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
-const outcome = ({ title, why }) => paragraph(strong(`${title} `), why);
 
 /** @param {import("program").Command} command */
 function button(text, className, command, ...values) {
   return make("button", { className, onclick: () => send(command, ...values) }, text);
 }
 
-function makeQuestion({ key, question, answers, votes, asking, reply, happened }) {
+const makeAgain = () => [
+  button("Again", "again", "repeat", false),
+  button("Again slowly", "again", "repeat", true),
+];
+
+function makeQuestion({ key, question, answers, votes, asking, replies, happened }) {
+  const withLetter = number => `${LETTERS[number]}, ${answers[number]}`;
   const element = make("div", { className: "question" });
-  element.append(paragraph(strong(question)));
+  element.append(paragraph(strong(asking === "seen" ? "What did you see?" : question)));
   if (asking) {
-    const choices = make("div", { className: "answers" });
-    answers.forEach((answer, number) => {
-      const text = `${LETTERS[number]}\u2002${answer}`;
-      const choice = make("div", {}, button(text, "choice", "answer", key, number));
-      choice.append(...makeCounter(key, number));
-      choices.append(choice);
-    });
-    element.append(choices, button("Run it without an answer", "", "answer", key, null));
+    element.append(makeAnswers(key, answers));
+    element.append(make("button", { className: "count", onclick: countHands }, "Count hands"));
+    if (asking === "seen") element.append(...makeAgain());
+    return element;
   }
-  if (!asking && votes.some(count => count)) element.append(makeBars(votes));
-  if (reply) element.append(paragraph(reply));
-  if (happened) element.append(
-    outcome(happened),
-    button("Again", "", "repeat", false),
-    button("Again slowly", "", "repeat", true),
-    button("Next experiment", "", "next"),
-  );
-  element.append(make("button", { onclick: () => print() }, "Print a sheet"));
+  element.append(...makeBars(votes));
+  const said = Object.keys(replies).filter(name => replies[name] !== null).map(name => {
+    const number = replies[name];
+    const isRight = number === happened?.outcome; // its text is below
+    return `${WORDS[name]}: ${isRight ? LETTERS[number] : withLetter(number)}.`;
+  });
+  element.append(paragraph(said.join(" ")));
+  if (happened) {
+    const { outcome, why } = happened;
+    const what = outcome === null ? "none of these answers" : withLetter(outcome);
+    element.append(paragraph(strong(`What happened: ${what}. `), why));
+    const isWrong = replies.seen !== null && replies.seen !== outcome;
+    if (isWrong) element.append(paragraph("You saw something else: look again, slowly."));
+    element.append(...makeAgain());
+  }
   return element;
 }
 
-const inHands = count => count === 1 ? "1 hand" : `${count} hands`;
+function makeAnswers(key, answers) {
+  const choices = make("div", { className: "answers" });
+  answers.forEach((answer, number) => {
+    const choice = button(`${LETTERS[number]}\u2002${answer}`, "choice", "answer", key, number);
+    choices.append(make("div", {}, choice, ...makeCounter(key, number)));
+  });
+  return choices;
+}
 
-// A button that counts one hand more, or one fewer by a right click; and one that counts one fewer.
+function countHands() {
+  document.documentElement.classList.toggle("counting");
+}
+
+// The hands for an answer: one fewer, a field to type in, and one more.
 function makeCounter(key, number) {
-  const more = button("", "hands more", "vote", key, number, true);
-  const fewer = button("\u2212", "hands", "vote", key, number, false);
-  fewer.ariaLabel = `one hand fewer for ${LETTERS[number]}`;
-  more.oncontextmenu = event => {
-    event.preventDefault();
-    fewer.click();
+  const letter = LETTERS[number];
+  const field = make("input", { type: "text", inputMode: "numeric", className: "hands" });
+  field.ariaLabel = `Hands for ${letter}`;
+  const set = count => {
+    const isCount = Number.isInteger(count) && count >= 0 && count <= MOST_HANDS;
+    if (isCount) send("vote", key, number, count);
+    field.value = isCount ? count : field.defaultValue;
   };
-  return [more, fewer];
+  const step = (text, change, ariaLabel) => {
+    const onclick = () => set(Number(field.value) + change);
+    return make("button", { className: "hands", ariaLabel, onclick }, text);
+  };
+  field.onchange = () => set(Number(field.value));
+  return [
+    step("\u2212", -1, `One hand fewer for ${letter}`),
+    field,
+    step("+", 1, `One hand more for ${letter}`),
+  ];
 }
 
 function showHands(count, number) {
-  const more = find(".hands.more")[number];
-  more.textContent = inHands(count);
-  more.ariaLabel = `${inHands(count)} for ${LETTERS[number]}`;
+  const field = find("input.hands")[number];
+  const isTyped = field === document.activeElement && field.value !== field.defaultValue;
+  field.defaultValue = count;
+  if (!isTyped) field.value = count;
 }
 
+// The hands of both votes, side by side, on one scale.
 function makeBars(votes) {
+  const counted = Object.keys(votes).filter(name => votes[name].some(count => count));
+  if (!counted.length) return [];
+  const most = Math.max(...counted.flatMap(name => votes[name]));
   const chart = make("div", { className: "votes" });
-  const most = Math.max(...votes);
-  votes.forEach((count, number) => {
-    const line = make("div", { role: "img", ariaLabel: `${LETTERS[number]}: ${inHands(count)}` });
-    const bar = make("i", { style: `width: ${100 * count / most}%` });
-    line.append(make("b", {}, LETTERS[number]), make("span", {}, bar), make("output", {}, count));
-    chart.append(line);
+  chart.style.setProperty("--votes", `${counted.length}`);
+  chart.append(make("b"), ...counted.map(name => make("small", {}, name)));
+  votes.predicted.forEach((_, number) => {
+    chart.append(make("b", {}, LETTERS[number]));
+    for (const name of counted) {
+      const count = votes[name][number];
+      const ariaLabel = `${LETTERS[number]}, ${name}: ${count}`;
+      const bar = make("i", { style: `width: ${100 * count / most}%` });
+      const track = make("span", { role: "img", ariaLabel }, bar);
+      chart.append(make("div", {}, track, make("output", {}, count)));
+    }
   });
-  return chart;
-}
-
-// A page to fill in, with the picture of paper.js; after the measurement, one with its figures.
-function makeSheet({ name, question, answers, happened }) {
-  const sheet = make("div", { className: "sheet printed" });
-  sheet.append(make("article", {},
-    make("div", { className: "fields" }, make("span", {}, "Name"), make("span", {}, "Date")),
-    make("h2", {}, name),
-    paragraph(question),
-    make("ol", { type: "A" }, ...answers.map(answer => make("li", {}, answer))),
-    paragraph("My answer: ______ because"),
-    make("div", { className: "ruled" }),
-    make("div", { className: "ruled" }),
-    paragraph("My sketch of the first swing:"),
-    make("div", { className: "picture sketch" }),
-    paragraph(
-      "I measured: speed ________ m/s, angle ________ degrees, ____ half swings in ________ s",
-    ),
-  ));
-  if (happened) sheet.append(make("article", {},
-    make("h2", {}, `${name}: measured`),
-    outcome(happened),
-    make("table", {}, ...happened.rows.map(tableRow)),
-  ));
-  return sheet;
+  return [chart];
 }

@@ -1,4 +1,4 @@
-// What the page says of the motion: in numbers, in a sentence, and in bars; the impacts, and a hit.
+// What the page says of the motion: in numbers, in a sentence, and in bars; and of a hit.
 import { dark, legible } from "colors";
 import { find, make, one, show, state, update } from "page";
 
@@ -14,7 +14,6 @@ show("paused", isPaused => {
 show("motion", motion => {
   one(".readout").replaceChildren(...Object.entries(motion).map(readoutRow));
 });
-show("impacts", lines => one(".series").replaceChildren(...lines.map(impact)));
 show("bars", chart => {
   const parts = chart ? [make("h2", {}, chart.title), ...chart.bars.map(makeBar)] : [];
   one(".momenta").replaceChildren(...parts);
@@ -24,8 +23,9 @@ show("hit", hit => {
   const place = one(".hit-part");
   place.replaceChildren();
   if (!hit) return;
-  place.append(make("strong", {}, hit.title));
-  place.append(...hit.lines.map(line => make("span", {}, line)));
+  place.append(make("table", {}, ...hit.rows.map(cells => {
+    return make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
+  })));
   place.append(make("small", {}, hit.caption));
 });
 
@@ -49,27 +49,4 @@ function makeBar({ name, text, color, part, zero }) {
   const track = make("span", { className: "track" }, bar);
   track.style.backgroundPosition = `${100 * zero}%`;
   return make("div", {}, make("span", {}, name), track, make("output", {}, text));
-}
-
-// A line of the impacts breaks only between two words.
-function impact(line) {
-  const words = line.split(" ").flatMap(word => [make("span", {}, ...wordOrDots(word)), " "]);
-  return make("div", {}, ...words);
-}
-
-// A word; of a chain, 1-2-3, its numbers for a screen reader, and a dot in the color of each bob.
-// The dot has the bob's number, if another bob has the same color.
-function wordOrDots(word) {
-  const isChain = /^\d+(-|\.{3})/.test(word); // a long line may end after its first number
-  if (!isChain) return [word];
-  const numbers = make("span", { className: "unseen" }, word);
-  const dots = make("span", { className: "dots", title: word, ariaHidden: true });
-  word.split("-").forEach((number, place) => {
-    const color = state.colors[number - 1]; // undefined for what is no whole number
-    if (place) dots.append("-");
-    const isTwice = state.colors.indexOf(color) !== state.colors.lastIndexOf(color);
-    const dot = make("i", { style: `background: ${color}` }, isTwice ? number : "");
-    dots.append(color ? dot : "...");
-  });
-  return [numbers, dots];
 }

@@ -6,13 +6,15 @@ import "controls";
 import "graph";
 import "questions";
 import "readout";
-import { showPicture } from "canvas";
+import "unknown";
+import { showPicture, showYourGhosts } from "canvas";
 import { isShape, objects, takeImagesFrom } from "glow";
 import { keys } from "keys";
-import { css, find, make, one, show, state, update } from "page";
+import { css, make, one, show, state, update } from "page";
 import { setLine, sliders } from "program";
 
 const LONGEST_STEP = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
+const SLOWLY = 0.1; // times real time
 const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
 const files = JSON.parse(one(".textures").textContent); // of the textures, by their names
@@ -23,20 +25,42 @@ let current = -1; // the number of the picture on the page
 let time = 0; // s, of the film
 let lastDrawn = performance.now(); // ms
 let isRunning = false;
+let speed = 1; // times real time
+
+let recorded; // the question as it was recorded
+let asks = false; // whether it is asked here: the pictures begin before the answer
+const replies = { predicted: null, seen: null }; // yours
 
 const commands = {
   pause() {
-    if (isRunning) jump(upTo(current));
-    else if (current === pictures.length - 1) jump(0);
+    if (state.question?.asking) say("Choose an answer first.");
+    else if (isRunning) jump(upTo(current));
+    else if (current === pictures.length - 1) jump(release());
     setRunning(!isRunning);
   },
-  step: () => isRunning || jump(Math.max(current, from(current + 1))),
-  restart: () => jump(0),
+  step: () => isRunning || isWaiting() || jump(Math.max(current, from(current + 1))),
+  restart() {
+    replies.predicted = replies.seen = null;
+    jump(0);
+    showQuestion();
+  },
+  answer(_, number) {
+    const { asking } = state.question ?? {};
+    if (!asking) return;
+    replies[asking] = number;
+    if (asking === "predicted") again(1);
+    showQuestion();
+    setRunning(true);
+  },
+  repeat: slowly => again(slowly ? SLOWLY : 1),
 };
 // A saved run has no controls, and nothing that one can do before its pictures are there.
-for (const key of ["h", "n", "?"]) delete keys[key];
-keys.ArrowLeft = () => isRunning || !pictures.length || jump(upTo(current - 1));
-setLine({ send: ([name]) => pictures.length && commands[name]?.(), isOpen: () => true });
+for (const key of ["h", "n", "p", "?"]) delete keys[key];
+keys.ArrowLeft = () => isRunning || isWaiting() || jump(upTo(current - 1));
+setLine({
+  send: ([name, ...values]) => pictures.length && commands[name]?.(...values),
+  isOpen: () => true,
+});
 show("ended", message => one("[data-text=error]").textContent = message ?? "");
 takeImagesFrom(makeTexture);
 load();
@@ -47,6 +71,7 @@ async function load() {
     pictures = await unpack(one(".run").textContent);
     for (const { state } of pictures)
       if (state.view) state.view.finger = 0; // nobody drags a bob: a finger on it turns the camera
+    asks = !!pictures[0].state.question && !pictures[0].state.question.happened;
     jump(0);
   } catch ({ message }) { // the browser is too old, or a site forbids a part of the file
     const advice = "Open the file in another browser, or from your disk.";
@@ -55,9 +80,8 @@ async function load() {
     return;
   }
   slider.max = pictures.at(-1).time;
-  slider.hidden = false;
   const isCalm = matchMedia("(prefers-reduced-motion)").matches;
-  setRunning(!isCalm && !state.question); // else you read the question first
+  setRunning(!isCalm);
   requestAnimationFrame(play);
 }
 
@@ -95,10 +119,50 @@ function from(first) {
 }
 
 function setRunning(isOn) {
-  isRunning = isOn;
-  Object.assign(state, { running: isOn, paused: !isOn });
+  isRunning = isOn && !state.question?.asking;
+  Object.assign(state, { running: isRunning, paused: !isRunning });
   update("running");
   update("paused");
+}
+
+// Before you predict, nothing shows what happens.
+const isWaiting = () => !pictures.length || state.question?.asking === "predicted";
+
+// The question as it is for you. The film shows it as it was when it was recorded.
+function yourQuestion() {
+  if (!recorded) return recorded;
+  const votes = { predicted: [], seen: [] };
+  if (!asks) return { ...recorded, asking: null, votes };
+  return { ...recorded, asking: asked(), replies: { ...replies }, votes };
+}
+
+function asked() {
+  if (replies.predicted === null) return "predicted";
+  return recorded.happened && replies.seen === null ? "seen" : null;
+}
+
+function showQuestion() {
+  state.question = yourQuestion();
+  update("question");
+  showYourGhosts();
+  slider.hidden = isWaiting();
+  say("");
+}
+
+function say(word) {
+  state.word = word;
+  update("word");
+}
+
+// Return the number of the picture of the release: a class may have thought for some time.
+function release() {
+  return pictures.findIndex(({ state }) => state.question && state.question.asking !== "predicted");
+}
+
+function again(newSpeed) {
+  speed = newSpeed;
+  jump(release());
+  setRunning(true);
 }
 
 function play(now) {
@@ -109,9 +173,12 @@ function play(now) {
     jump(upTo(pictures.findLastIndex(picture => picture.time <= place)));
   }
   if (isRunning) {
-    time += Math.min((now - lastDrawn) / 1000, LONGEST_STEP);
+    time += speed * Math.min((now - lastDrawn) / 1000, LONGEST_STEP);
     go(pictures.findLastIndex(picture => picture.time <= time));
-    if (current === pictures.length - 1) setRunning(false);
+    if (recorded?.happened) speed = 1;
+    const isLast = current === pictures.length - 1;
+    if (isLast && asks && !recorded.happened) say("This run was saved before its first swing.");
+    if (isLast || state.question?.asking) setRunning(false);
   }
   lastDrawn = now;
   requestAnimationFrame(play);
@@ -129,15 +196,17 @@ function go(number) {
   if (number > current) first = Math.max(first, current + 1);
   const some = pictures.slice(first, number + 1);
   if (some[0].whole) hideAll();
+  const changes = Object.assign({}, ...some.map(picture => picture.state));
+  if ("question" in changes) recorded = changes.question;
   showPicture({
-    cmds: some.flatMap(picture => picture.cmds.flatMap(again)),
+    cmds: some.flatMap(picture => picture.cmds.flatMap(asChange)),
     attrs: some.flatMap(picture => picture.attrs),
-    state: Object.assign({}, ...some.map(picture => picture.state)),
+    state: { ...changes, question: yourQuestion() },
   });
   current = number;
+  slider.hidden = isWaiting();
   slider.value = pictures[number].time;
   slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`.trim());
-  for (const answer of find(".questions button")) answer.disabled = true;
 }
 
 // What was made later must not be seen; a whole picture shows again what is there.
@@ -146,7 +215,7 @@ function hideAll() {
 }
 
 // A shape that is there already gets the values with which it was made.
-function again({ cmd, idx, ...values }) {
+function asChange({ cmd, idx, ...values }) {
   const object = objects[idx];
   if (!object) return [{ cmd, idx, ...values }]; // VPython's handler changes what it gets
   if (!isShape(object)) return [];

@@ -7,7 +7,7 @@ let cells = {}; // of the coordinates, by their names
 let editors = {}; // of mass and e, by "row,column"
 let shape;
 
-for (const name of /** @type {const} */ (["keys", "table", "refused"])) show(name, showTable);
+for (const name of /** @type {const} */ (["keys", "table", "refused", "unknown"])) show(name, showTable);
 show("now", showNumbers);
 one(".programmers").addEventListener("toggle", showNumbers);
 
@@ -59,7 +59,9 @@ function makeEditor(row, column) {
 
 function showEditor(place, { row, column, field, message }) {
   const refusal = state.refused[place];
-  const text = refusal?.text ?? state.table[column][row];
+  const number = state.table[column][row];
+  const text = refusal?.text ?? number ?? "?"; // "?" is hidden
+  field.disabled = !!state.unknown;
   const isTyped = field === document.activeElement && field.value !== field.defaultValue;
   if (!isTyped) field.value = field.defaultValue = text;
   const isNew = refusal && !message.textContent;

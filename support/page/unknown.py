@@ -1,0 +1,50 @@
+"""The hidden value of an experiment: you type yours, and hear how far it is off."""
+
+from support.columns import CHECKED
+from support.cradle.cradle import Cradle
+from support.page.names import State
+
+NEAR = 5.0  # %: a value that is not farther off is found
+FAR = 10.0  # %: from farther off, nobody can reckon the value
+
+
+class Unknown:
+    """The value that is hidden in the cradle of now."""
+
+    def __init__(self, cradle: Cradle):
+        self.cradle = cradle
+        self.begin()
+
+    def begin(self) -> None:
+        """Begin with a new cradle: say nothing."""
+        self.word = ""
+
+    def check(self, text: str) -> None:
+        """Say by how many percent the value in this text is off; near it, also how one finds it."""
+        hidden = self.cradle.hidden
+        if hidden is None:
+            return
+        column = CHECKED[hidden.column]
+        right = self.cradle.values(hidden.column)[hidden.rows[0]]
+        text = text.strip().replace(",", ".")
+        if not column.allows(text):
+            self.word = f"Type a number, such as {column.example}."
+            return
+        off = 100 * (float(text) / right - 1)  # %
+        side = "large" if off > 0 else "small"
+        if abs(off) > FAR:
+            self.word = f"{text} is more than {FAR:.0f} % too {side}."
+        else:
+            self.word = f"{text} is {abs(off):.1f} % too {side}."
+        if abs(off) <= NEAR:
+            self.word += f" {hidden.why}"
+
+    def state(self) -> State:
+        """Return the question, the name and the unit of the value, and the word about yours."""
+        hidden = self.cradle.hidden
+        if hidden is None:
+            return {"unknown": None, "checked": ""}
+        name = "e" if hidden.column == "e" else f"mass of bob {hidden.rows[0] + 1}"
+        unit = CHECKED[hidden.column].unit
+        unknown = {"question": hidden.question, "name": name, "unit": unit}
+        return {"unknown": unknown, "checked": self.word}

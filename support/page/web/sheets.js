@@ -1,0 +1,36 @@
+// The sheets of all experiments, two on a page: to predict, to see and to measure.
+import { drawCradle } from "gallery";
+import { make, one, state } from "page";
+
+one(".print-sheets").addEventListener("click", () => {
+  one("#gallery").hidePopover();
+  one(".sheets").replaceChildren(...Object.entries(state.sheets).map(makeSheet));
+  print();
+});
+addEventListener("afterprint", () => one(".sheets").replaceChildren());
+
+// Before and after the first hit.
+const SPEEDS = "v = ______ m/s, v' = ______ m/s, w = ______ m/s, w' = ______ m/s";
+const paragraph = (...parts) => make("p", {}, ...parts);
+
+function makeSheet([name, { question, answers }]) {
+  return make("article", {},
+    make("div", { className: "fields" }, make("span", {}, "Name"), make("span", {}, "Date")),
+    make("h2", {}, name),
+    paragraph(question),
+    make("div", { className: "sketch" }, drawCradle(state.pictures[name])),
+    ...answers.length ? toPredict(answers) : [paragraph(SPEEDS)],
+    paragraph("I measured: ______ m/s, ______ degrees, ____ half swings in ______ s."),
+    ...answers.length ? [] : [paragraph("My value: ______, because"), ruled()],
+  );
+}
+
+const ruled = () => make("div", { className: "ruled" });
+
+const toPredict = answers => [
+  make("ol", { type: "A" }, ...answers.map(answer => make("li", {}, answer))),
+  paragraph("I predict ______ because"),
+  ruled(),
+  paragraph("I saw ______ (sketch it in the picture)."),
+  ruled(),
+];

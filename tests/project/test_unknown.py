@@ -1,0 +1,140 @@
+"""Experiments with a hidden value: nothing shows it, and the page says how far yours is off."""
+
+import json
+
+import pytest
+from programs import PROGRAM, python
+from rig import Rig
+from students import put_files
+from test_run_file import pictures_in
+from whole_cradles import PERIOD
+
+from support.page.graph import ENERGY, NOTHING
+from support.page.scene.slow_hits import CAPTION, EACH, VELOCITY
+
+TEXT = """\
+name = Unknown
+theta = -45 0 0
+{}
+hidden = {}
+question = Find it.
+why = So it is found.
+"""
+DIGITS = "777377"  # of the hidden values: no time or angle has them
+MASS = TEXT.format("mass = 3.777377 1 1", "mass 1")
+MIDDLE = TEXT.format("mass = 1 3.777377 1", "mass 2")
+E = TEXT.format("e = 0.777377 0.777377 0.777377", "e")
+
+
+@pytest.fixture
+def unknown(csv, tmp_path, monkeypatch):
+    """A function that returns a viewer whose only experiment has this text."""
+
+    def unknown(text):
+        folder = put_files(tmp_path / "experiments", {"single/one.txt": text})
+        monkeypatch.setattr("support.page.chooser.EXPERIMENTS", folder)
+        rig = Rig(csv)
+        for name in ("arrows", "measure", "slow_hits"):
+            rig.give(name, True)
+        rig.give("next")
+        return rig
+
+    return unknown
+
+
+@pytest.mark.parametrize("text", [MASS, MIDDLE, E], ids=["mass 1", "mass 2", "e"])
+def test_nothing_on_the_page_shows_a_hidden_value(unknown, text):
+    """Nor what tells it at once: energies and momenta. Angles and speeds are there."""
+    rig = unknown(text)
+    assert rig.state["unknown"]["question"] == "Find it."
+    while rig.state["hit"] is None:
+        rig.wait(0.05)
+        assert DIGITS not in json.dumps(rig.state)
+    assert [len(row) for row in rig.state["hit"]["rows"]] == [2] * 3
+    assert rig.state["hit"]["rows"][0] == ["Hit 1", VELOCITY]
+    assert rig.state["hit"]["caption"] == CAPTION
+    assert not any(arrow.visible for arrow in rig.viewer.marks.shapes["changes"])
+    assert not any(belt.visible for belt in rig.viewer.marks.shapes["belts"])
+    rig.wait(3 * EACH)
+    assert [*rig.state["motion"]] == ["t", "half swings"]
+    assert rig.state["bars"] is None
+    assert rig.control("graph")["choices"] == ["Angles theta", NOTHING]
+    assert "energy" not in rig.state["summary"]
+    assert rig.state["setup"] == rig.state["same_cradle"] == ""
+    rig.give("pause")
+    rig.give("tick")
+    assert not any("handle_collision" in line for line in rig.state["tick_lines"])
+    rig.give("release_angle", 20)  # it stays hidden
+    assert DIGITS not in json.dumps(rig.state)
+
+
+def test_while_a_value_is_hidden_only_the_release_can_be_changed(unknown):
+    """Else its question would be untrue; and an added bob would have the mass of the last one."""
+    rig = unknown(MIDDLE)
+    rig.give("edit", 1, "mass", "1")
+    rig.give("edit", 2, "e", "0.5")
+    rig.give("count", 5)
+    rig.give("mass", 5)
+    assert rig.values("mass") == [1, 3.777377, 1]
+    assert rig.values("e") == [1, 1, 1]
+    assert rig.state["table"]["mass"] == [1, None, 1]
+    rig.give("lifted", 2)
+    assert rig.bob_angles() == [45, 45, 0]
+    for text, name in ((MASS, "mass"), (E, "e")):
+        rig = unknown(text)
+        assert rig.control(name) == rig.control(name) | {"enabled": False, "text": "?"}
+
+
+def test_after_it_all_is_shown_as_before(unknown):
+    rig = unknown(MASS)
+    assert rig.state["graph"] == "Angles theta"
+    rig.give("experiment", "My cradle")
+    assert rig.state["unknown"] is None
+    assert rig.state["graph"] == ENERGY
+    assert "energy" in rig.state["motion"]
+
+
+@pytest.mark.parametrize(
+    ("text", "typed", "word"),
+    [
+        (MASS, "4", "4 is 5.9 % too large."),
+        (MASS, " 3.7\n", "3.7 is 2.0 % too small. So it is found."),
+        (E, "0,72", "0.72 is 7.4 % too small."),
+        (E, "0.5", "0.5 is more than 10 % too small."),  # or one guess would tell the value
+        (MASS, "1e6", "1e6 is more than 10 % too large."),
+        (E, "2", "Type a number, such as 0.9."),
+        (MASS, "heavy", "Type a number, such as 1.5."),
+        (MASS, "", "Type a number, such as 1.5."),
+    ],
+)
+def test_your_value_is_told_how_far_it_is_off(unknown, text, typed, word):
+    rig = unknown(text)
+    rig.give("check", typed)
+    assert rig.state["checked"] == word
+    rig.give("restart")
+    assert rig.state["checked"] == ""
+
+
+@pytest.mark.parametrize("text", [MASS, E], ids=["mass", "e"])
+def test_a_saved_run_and_recorded_data_do_not_show_it(text, tmp_path):
+    experiment = tmp_path / "one.txt"
+    experiment.write_text(text)
+    run, data = tmp_path / "run.html", tmp_path / "data.csv"
+    options = "--experiment", experiment, "--seconds", f"{PERIOD / 2}"
+    assert python(PROGRAM, "--html", run, *options).returncode == 0
+    assert DIGITS not in pictures_in(run)
+    text_program = PROGRAM.with_name("text_cradle_run.py")
+    for _ in range(2):  # the second one replaces the first one
+        assert python(text_program, "--record", data, *options).returncode == 0
+    names, *rows = data.read_text().splitlines()
+    assert names == "t,theta_1,theta_2,theta_3,omega_1,omega_2,omega_3"
+    assert rows
+    shown = python(text_program, *options)
+    assert "energy" not in shown.stdout
+    assert shown.stdout.startswith("t = 0.00 s, bob 1 at 45 degrees left")
+
+
+def test_shipped_experiments_hide_two_masses_and_e(csv):
+    experiments = Rig(csv).viewer.chooser.experiments.values()
+    hidden = [known.hidden for known in experiments if known.hidden]
+    assert [value.name for value in hidden] == ["mass 1", "e", "mass 2"]
