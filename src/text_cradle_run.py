@@ -40,20 +40,13 @@ def main() -> None:
     recording. Otherwise the exit status is the one that stop_on_signals chose for the signal.
     """
     options = read_text_options()
-    experiment = None
+    cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
     try:
-        csv = read_cradle(Snapshot(options.csv))
-        require_lifted(options.lift, csv)
-        if options.experiment is not None:
-            experiment = read_experiment(Path(options.experiment), cords=1)
+        settings = settings_from(options, cradle)
         if options.record not in (None, "-"):
             require_replaceable("--record", options.record, has_data, "data of a cradle")
     except ValueError as error:
         refuse(error)
-    cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
-    settings = Settings(csv, [options.angle], options.lift, cradle.es, cradle.mass)
-    if experiment:
-        settings = settings_of(experiment)
     loop, remark = what_there_is(cradle_main, cradle)
 
     try:
@@ -63,6 +56,15 @@ def main() -> None:
         end_stopped(stopped, options.record)
     except (Exception, SystemExit) as error:
         end_failed(error)
+
+
+def settings_from(options: Namespace, cradle: Cradle) -> Settings:
+    """Return what options say: an experiment, or a CSV. Raises a ValueError with one line."""
+    if options.experiment is not None:
+        return settings_of(read_experiment(Path(options.experiment), cords=1))
+    csv = read_cradle(Snapshot(options.csv))
+    require_lifted(options.lift, csv)
+    return Settings(csv, [options.angle], options.lift, cradle.e_source, cradle.mass)
 
 
 def play(loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, remark: str) -> None:

@@ -67,7 +67,8 @@ class Cradle:
         self.needs = {"extract_and_convert", self.make_name}  # or there is no picture
         if self.mass is not None:
             self.needs.add(UNIFORM_MASS)
-        self.es = self.es_of(options)  # of pendula with the e of all, at the start
+        self.can_set_e = UNIFORM_E not in unwritten_in("special_cradles")  # of all pendula
+        self.e_source = self.e_source_of(options)  # at the start; None: the e of the CSV
 
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
@@ -86,9 +87,8 @@ class Cradle:
         collide = self.scope.get(self.collide_name, self.tick_function)
         self.takes_rule = takes_rule(self.tick_function, collide)
 
-    def es_of(self, options: Namespace) -> Source | None:
-        """Return the source of the e that options name; None stands for that of the CSV."""
-        self.can_set_e = UNIFORM_E not in unwritten_in("special_cradles")  # of all pendula
+    def e_source_of(self, options: Namespace) -> Source | None:
+        """Return the source of the e that options name, or None; note which functions it needs."""
         for function, is_chosen in (
             ("elastic_newton_cradle", options.elastic),
             ("inelastic_newton_cradle", options.inelastic),
@@ -172,7 +172,7 @@ class Cradle:
         if mass is not None:
             self.adopt("mass", Source(self.scope[UNIFORM_MASS], (mass,)), csv)
 
-    def use_es(self, source: Source | None, csv: str) -> None:
+    def use_e_of(self, source: Source | None, csv: str) -> None:
         """Set the e of all pendula to those of a source, unless it is None; csv is a path."""
         if source:
             self.adopt("e", source, csv)

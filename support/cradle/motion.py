@@ -108,8 +108,13 @@ class Motion:
         if self.cradle.hidden:
             return sample
         kinetic, potential = self.cradle.energies()
-        energies = {"kinetic": kinetic, "potential": potential, "total": kinetic + potential}
-        return sample | energies | {"momentum": self.cradle.momentum()}
+        return {
+            **sample,
+            "kinetic": kinetic,
+            "potential": potential,
+            "total": kinetic + potential,
+            "momentum": self.cradle.momentum(),
+        }
 
 
 def keeps_momentum(hit: Hit) -> bool:

@@ -156,7 +156,7 @@ class Player(Page):
         with self.copy:
             self.cradle.accept(pend_list, settings.csv.columns)
             self.cradle.use_mass(settings.mass, self.path)
-            self.cradle.use_es(settings.es, self.path)
+            self.cradle.use_e_of(settings.e_source, self.path)
         hidden = settings.hidden
         is_there = hidden is not None and hidden.rows[0] < len(pend_list)
         self.cradle.hidden = hidden if is_there else None

@@ -20,7 +20,7 @@ class Settings(NamedTuple):
     csv: CradleCsv
     angles: list[float | None]  # of the release (rad)
     lifted: int | None  # bobs
-    es: Source | None  # of pendula with the e of all
+    e_source: Source | None  # of pendula with the e of all
     mass: float | None  # kg, of all pendula
     # Of each pendulum's cords, from straight down (rad), in place of angles and lifted
     poses: list[list[float]] | None = None

@@ -47,7 +47,8 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
 
 def has_data(line: bytes) -> bool:
     """Return whether this is the first line of a file with data of a cradle."""
-    return re.fullmatch(rb"t,theta_1,(.*,)?(momentum|omega_\d+)", line) is not None
+    names = rb"t,theta_1,(.*,)?momentum|t(,theta_\d+)+(,omega_\d+)+"
+    return re.fullmatch(names, line) is not None
 
 
 def is_run(line: bytes) -> bool:

@@ -53,6 +53,10 @@ class Experiment(NamedTuple):
     poses: list[list[float]]  # of each pendulum's cords at the start (rad)
     hidden: Hidden | None = None  # in place of question, answers and why
 
+    def asks(self) -> str:
+        """Return what it asks, or nothing."""
+        return self.hidden.question if self.hidden else self.question
+
 
 def read_experiments(folder: str | Path, cords: int) -> tuple[list[Experiment], list[str]]:
     """Return this folder's experiments, as in the menu, and a message for each bad one.
@@ -198,12 +202,15 @@ class ExperimentText:
             return [float(column.default)] * self.count
         return self.numbers(name, column.allows, column.allowed())
 
+    def answers_in(self) -> list[str]:
+        """Return the marks and the texts of the answers."""
+        return [name for name in self.texts if name not in NAMES]
+
     def answers(self) -> dict[str, Answer]:
         """Return the answers, each by its mark and its text; one mark is an asterisk."""
         answers = {}
-        for name in self.texts:
-            if name not in NAMES:
-                answers[name] = Answer(name[1:].strip(), self.degrees_of(name))
+        for name in self.answers_in():
+            answers[name] = Answer(name[1:].strip(), self.degrees_of(name))
         if len({answer.text for answer in answers.values()}) < len(answers):
             raise ValueError(f"{self.file}, answers: found an answer twice")
         marks = [name[0] for name in answers]
@@ -227,9 +234,12 @@ class ExperimentText:
 
         allowed = f"mass and the number of a bob, 1 to {self.count}, or e, if all have one above 0"
         name = self.text("hidden", is_one_value, allowed)
+        if self.answers_in():
+            raise ValueError(f"{self.file}, hidden: found answers, which are not allowed with it")
         column, _, bob = name.partition(" ")
         rows = [int(bob) - 1] if bob else [*range(self.count)]
-        return Hidden(name, column, rows, self.text("question"), self.text("why"))
+        why = self.text("why", lambda text: "{" not in text, "a text without braces")
+        return Hidden(name, column, rows, self.text("question"), why)
 
     def measured(self, name: str) -> str:
         """Return the text of a line that can have measured numbers of the bobs in braces."""

@@ -54,7 +54,7 @@ class Bars:
             return None
         momenta = marks.momenta
         title = "Momentum (kg m/s)"
-        if self.questions.is_resting() and self.after_hits:
+        if self.questions.rests_after_measurement() and self.after_hits:
             momenta = self.after_hits
             title = "Momentum after the hits (kg m/s)"
         bars = momentum_bars(momenta, marks.largest, self.motion.cradle.colors())

@@ -47,10 +47,9 @@ class Chooser:
 
         self.sheets = {}
         for name, known in self.experiments.items():
-            question = known.hidden.question if known.hidden else known.question
-            if question:
+            if known.asks():
                 answers = [answer.text for answer in known.answers]
-                self.sheets[name] = {"question": question, "answers": answers}
+                self.sheets[name] = {"question": known.asks(), "answers": answers}
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
@@ -78,14 +77,20 @@ class Chooser:
 
     def name_after(self, names: list[str]) -> str:
         """Return which of these names comes after the present one."""
-        after = names.index(self.name()) + 1 if self.experiment else 0
-        return (names[after:] or names or [YOUR_CSV])[0]
+        if not names:
+            return YOUR_CSV
+        if not self.experiment:
+            return names[0]
+        return names[(names.index(self.experiment.name) + 1) % len(names)]
 
     def choose(self, name: str) -> None:
-        """Let main make the cradle with this name: an experiment, or your CSV with its settings."""
+        """Let main make the cradle with this name: an experiment, or your CSV with its settings.
+
+        If your CSV is chosen already, it is as at the start.
+        """
         if not self.experiment:
             self.yours = self.next_cradle.settings
-            if name == YOUR_CSV:  # again: without what you have changed on the page
+            if name == YOUR_CSV:
                 self.yours = self.first._replace(csv=self.saved)
         self.experiment = self.experiments.get(name)
         self.is_changed = False
@@ -98,7 +103,6 @@ class Chooser:
     def choose_first(self) -> None:
         """Choose your CSV, with its settings at the start."""
         self.experiment = None
-        self.next_cradle.settings = self.first
         self.choose(YOUR_CSV)
 
     def look_at_file(self) -> None:

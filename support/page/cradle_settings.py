@@ -116,7 +116,7 @@ class CradleSettings:
                 fits = are_in_range(numbers[column])
         if fits:
             edited = with_numbers(self.next_cradle.settings.csv, numbers)
-            self.change(csv=edited, mass=None, es=None)
+            self.change(csv=edited, mass=None, e_source=None)
         else:
             self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}{odd_sign(text)}")
         self.refused_in = self.next_cradle.settings.csv
@@ -125,11 +125,11 @@ class CradleSettings:
         """Return the numbers that were refused in the present table, by "row,column"."""
         return self.refused if self.refused_in is self.next_cradle.settings.csv else {}
 
-    # --- collisions ----------------------------------------------------------------------------
+    # --- hits ----------------------------------------------------------------------------------
 
     def set_e(self, e: float) -> None:
         """Let the bobs collide with this e of all."""
-        self.change(es=self.cradle.uniform_e(e))
+        self.change(e_source=self.cradle.uniform_e(e))
 
     def set_separating(self, separating: bool) -> None:
         """Let separating bobs collide, too, or not."""

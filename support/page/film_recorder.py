@@ -2,7 +2,7 @@
 
 import sys
 from collections import deque
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import ExitStack
 from html import escape
 from math import inf
@@ -21,8 +21,9 @@ from support.page.server.tabs import Tabs
 from support.page.viewer import Start, Viewer
 from support.start.early import stop_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
-from support.start.output import complain, in_one_line, Progress, progress_bar, say
+from support.start.output import complain, in_one_line, Progress, progress_bar, refuse, say
 
+RUN, INDEX = "a run of a cradle", "links to runs of a cradle"  # what is in the files
 INDEX_STYLE = """
 :root { color-scheme: light dark; font: 1.1rem/1.5 system-ui, sans-serif }
 body { max-width: 40rem; margin: 2rem auto; padding: 0 1rem }
@@ -108,13 +109,22 @@ class FilmRecorder(Viewer):
         super().keep_time(min(most, self.last - self.motion.ticks))
 
     def ghosts_in_view(self) -> list:
-        """Return all ghosts: whoever plays the file chooses the answer."""
+        """Return all ghosts: the player of the file chooses the answer."""
         return self.marks.ghosts
+
+
+def check(option: str, files: Mapping[str, tuple[Callable[[bytes], bool], str]]) -> None:
+    """Exit with status 2 if one of these files exists, and is not what the option may replace."""
+    for file, (is_ours, what) in files.items():
+        try:
+            require_replaceable(option, file, is_ours, what)
+        except ValueError as error:
+            refuse(error)
 
 
 def write_run(loop: Loop, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
     """Write the first seconds (s) of a loop to this HTML file; the rest is as in write_runs."""
-    require_replaceable("--html", filepath, is_run, "a run of a cradle")
+    check("--html", {filepath: (is_run, RUN)})
     write_runs(loop, FilmRecorder(cradle, start, seconds), [filepath], filepath)
 
 
@@ -128,14 +138,12 @@ def write_all_runs(loop: Loop, cradle: Cradle, start: Start, seconds: float, fol
     files = [str(Path(folder, f"{known.key}.html")) for known in experiments.values()]
     index = str(Path(folder, "index.html"))
     if index in files:
-        raise ValueError("--html-all: allowed is another name than index for an experiment")
-    for file in files:
-        require_replaceable("--html-all", file, is_run, "a run of a cradle")
-    require_replaceable("--html-all", index, is_index, "links to runs of a cradle")
+        refuse("--html-all: allowed is another name than index for an experiment")
+    check("--html-all", {**dict.fromkeys(files, (is_run, RUN)), index: (is_index, INDEX)})
     for mistake in recorder.chooser.mistakes:
         complain(mistake)
     if not experiments:
-        raise ValueError(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
+        refuse(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
     write_runs(loop, recorder, files, folder)
@@ -160,9 +168,10 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
                 run(loop, recorder)
             except (Exception, SystemExit) as error:
                 recorder.tabs.show({"ended": report_mistake(error)})
-                recorder.keep_run()
+                if not recorder.is_over:  # else the run is whole
+                    recorder.keep_run()
                 has_failed = True
-            if len(recorder.runs) < len(files):
+            if has_failed and len(files) > 1:
                 complain(f"{place} is not written.")
                 sys.exit(1)
             for opened_file, html in zip(opened, recorder.runs, strict=True):
@@ -193,7 +202,6 @@ def links_to(title: str, experiments: Sequence[Experiment]) -> str:
         "<ol>",
     ]
     for known in experiments:
-        question = known.hidden.question if known.hidden else known.question
         link = f'<a href="{quote(known.key)}.html">{escape(known.name)}</a>'
-        lines.append(f"<li>{link}<br>{escape(question)}</li>")
+        lines.append(f"<li>{link}<br>{escape(known.asks())}</li>")
     return "\n".join([*lines, "</ol>", ""])

@@ -97,7 +97,9 @@ class Graph:
 
     def menu(self) -> list[str]:
         """Return the main choices, and what is shown."""
-        return [*dict.fromkeys([*self.main_choices, self.name()])]
+        if self.name() in self.main_choices:
+            return self.main_choices
+        return [*self.main_choices, self.name()]
 
     def add(self, sample: dict[str, float]) -> None:
         """Add a sample, in place of one of the same time.

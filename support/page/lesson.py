@@ -50,9 +50,6 @@ class Lesson:
         if not asks:
             self.questions.leave_seen()
 
-        if self.chooser.whole_experiment():
-            self.run_again()
-
     def repeat(self, slowly: bool) -> None:
         """Run the experiment again with the same answer, maybe slowly."""
         measurement = self.questions.measurement

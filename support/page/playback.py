@@ -44,7 +44,7 @@ class Playback:
 
     def look_longer(self) -> None:
         """Go on with what the time rests for: a measured experiment, then one slow hit by one."""
-        self.questions.look()
+        self.questions.end_rest_in_time()
         if self.questions.rest_end is None:
             self.slow_hits.go_on(self.pace.clock(), self.is_running())
 
@@ -62,6 +62,8 @@ class Playback:
         """Stop the time, or let it go on; an open question takes the answer of the hands."""
         if self.questions.asking:
             self.questions.take_hands()
+            if not self.questions.asking:
+                self.is_paused = False
         else:
             self.is_paused = not self.is_paused
             self.questions.end_rest()

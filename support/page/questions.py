@@ -10,10 +10,8 @@ from support.cradle.prediction import Measurement
 from support.files.experiments import Experiment
 from support.page.names import State
 
-PREDICTED, SEEN = (
-    "predicted",
-    "seen",
-)  # what is asked: before the release, and after the first swing
+PREDICTED = "predicted"  # asked before the release
+SEEN = "seen"  # asked after the first swing
 REST = 3.0  # s that the picture rests when an experiment has been measured
 WAITS = "The cradle waits for your answer. Choose one, or count hands and press Run."
 TIE = "Two answers have as many hands. Choose one of them."
@@ -72,7 +70,8 @@ class Questions:
     def begin(self, experiment: Experiment | None, motion: Motion) -> None:
         """Begin a run of this Motion, and ask the question of its experiment, if it has one.
 
-        It is asked only if Predict first is ticked, and not again in a run that repeats another.
+        What you predict is asked only if Predict first is ticked, and not again in a run that
+        repeats another.
         """
         again = self.again
         self.again = None
@@ -121,7 +120,7 @@ class Questions:
 
     def vote(self, key: str, number: int, count: int) -> None:
         """Let an answer (its index) to this question have this number of hands."""
-        if self.asking is not None and self.is_asked(key, number):
+        if self.asking and self.is_asked(key, number):
             self.votes[self.asking][number] = count
 
     def take_hands(self) -> None:
@@ -139,7 +138,7 @@ class Questions:
         """Return whether the present run is measured, and its measurement is not yet over."""
         return self.measurement is not None and not self.measurement.is_over
 
-    def is_resting(self) -> bool:
+    def rests_after_measurement(self) -> bool:
         """Return whether the picture rests after a measurement."""
         return self.asking == SEEN or self.rest_end is not None
 
@@ -164,7 +163,7 @@ class Questions:
         self.rest_end = None
         self.slowly = False
 
-    def look(self) -> None:
+    def end_rest_in_time(self) -> None:
         """End the rest if it is time."""
         if self.rest_end is not None and self.clock() >= self.rest_end:
             self.end_rest()

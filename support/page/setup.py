@@ -76,7 +76,7 @@ class Setup:
             options.append(f"--lift={lifted}")
         if settings.mass is not None:
             options.append(f"--mass={settings.mass:.12g}")
-        if settings.es:
+        if settings.e_source:
             options.append(f"--e={self.cradle.values('e')[0]:.12g}")
         return options
 

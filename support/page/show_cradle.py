@@ -105,13 +105,10 @@ def show_page(
         return
     from support.page.film_recorder import write_all_runs, write_run  # not for a page
 
-    try:
-        if options.html is not None:
-            write_run(loop, cradle, start, options.seconds, options.html)
-        else:
-            write_all_runs(loop, cradle, start, options.seconds, options.html_all)
-    except ValueError as error:
-        refuse(error)
+    if options.html is not None:
+        write_run(loop, cradle, start, options.seconds, options.html)
+    else:
+        write_all_runs(loop, cradle, start, options.seconds, options.html_all)
 
 
 def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:

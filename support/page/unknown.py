@@ -1,11 +1,13 @@
 """The hidden value of an experiment: you type yours, and hear how far it is off."""
 
-from support.columns import CHECKED
+from math import isnan
+
+from support.columns import CHECKED, to_number
 from support.cradle.cradle import Cradle
 from support.page.names import State
 
 NEAR = 5.0  # %: a value that is not farther off is found
-FAR = 10.0  # %: from farther off, nobody can reckon the value
+FAR = 10.0  # %: of a value that is farther off, the page does not say by how much: nobody reckons
 
 
 class Unknown:
@@ -28,11 +30,15 @@ class Unknown:
         right = self.cradle.values(hidden.column)[hidden.rows[0]]
         text = text.strip().replace(",", ".")
         if not column.allows(text):
-            self.word = f"Type a number, such as {column.example}."
+            is_none = isnan(to_number(text))
+            needs = f"Type a number, such as {column.example}"
+            self.word = f"{needs if is_none else f'Allowed is {column.allowed()}'}."
             return
         off = 100 * (float(text) / right - 1)  # %
         side = "large" if off > 0 else "small"
-        if abs(off) > FAR:
+        if abs(off) < 0.05:
+            self.word = f"{text} is right."
+        elif abs(off) > FAR:
             self.word = f"{text} is more than {FAR:.0f} % too {side}."
         else:
             self.word = f"{text} is {abs(off):.1f} % too {side}."

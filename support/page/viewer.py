@@ -66,7 +66,7 @@ class Viewer(Player):
         pace: RealTime | None = None,
     ):
         """Play the cradle as a Player does, in this pace; tabs show it."""
-        settings = Settings(start.csv, [*start.angles], start.lifted, cradle.es, cradle.mass)
+        settings = Settings(start.csv, [*start.angles], start.lifted, cradle.e_source, cradle.mass)
         super().__init__(cradle, settings, IMPACTS, EVERY, pace)
         self.tabs = tabs
         self.given_remark = start.remark

@@ -177,7 +177,10 @@ def is_port(text: str) -> bool:
 
 
 def parse(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
-    """Return the options; an experiment, and all of them, have their own cradle."""
+    """Return the options.
+
+    --experiment and --html-all bring their own cradles: options that change the CSV's are refused.
+    """
     options = parser.parse_args(arguments)
     for whole in ("experiment", "html_all"):
         for name in OF_THE_CSV:

@@ -33,7 +33,7 @@ def test_the_mass_and_e_of_all_survive_a_reload(swing, kind):
     assert values(player, "e") == [0.25] * 3
     player.read(FIVE_CSV)
     assert values(player, "e") == [0.25] * 5
-    player.next_cradle.want(es=None)
+    player.next_cradle.want(e_source=None)
     player.read(FIVE_CSV)
     assert values(player, "e") == [1.0] * 5
 

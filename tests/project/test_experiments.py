@@ -86,6 +86,7 @@ BAD = [  # an old and a new text; the beginning of the message after the name of
     ("question", "hidden = mass 6\nquestion", ", hidden: found 'mass 6', ", "1 to 5, or e"),
     ("question", "e = 1 1 1 1 0\nhidden = e\nquestion", ", hidden: found 'e', ", "e, if all have"),
     ("question", "e = 0 0 0 0 0\nhidden = e\nquestion", ", hidden: found 'e', ", "one above 0"),
+    ("question", "hidden = e\nquestion", ", hidden: found answers, which are", "not allowed"),
     ("question", "seconds = 0.5\nquestion", ", line 3: found 'seconds = 0.5', ", LINES),
     ("question", "theta = 0 0 0 0 0\nquestion", ", line 3: found 'theta = 0 0 0 0 0', ", LINES),
     ("- One=1 = 0", "- = 0", ", line 7: found '- = 0 0 0 0 100', ", LINES),

@@ -4,19 +4,31 @@ Time passes only when a test moves its own clock.
 """
 
 from itertools import pairwise
+from math import cos
 
 import pytest
 from rig import Rig
 from whole_cradles import GOOD, HEADER
 
+from support.constants import R_PARAM
 from support.cradle.cradle import Cradle
 from support.files.data_file import EVERY
-from support.page.graph import DEGREES, ENERGIES, ENERGY, MOST_DRAWN, NOTHING, PHASE_SPAN, SPANS
+from support.page.graph import (
+    DEGREES,
+    ENERGIES,
+    ENERGY,
+    MOMENTA,
+    MOST_DRAWN,
+    NOTHING,
+    PHASE_SPAN,
+    SPANS,
+)
 
 ANGLES = "Angles theta"
 # Of the bobs, as a page has them
 RED = "rgb(255, 0, 0)"
 CYAN = "rgb(0, 255, 255)"
+BLACK = "rgb(0, 0, 0)"
 
 
 @pytest.mark.parametrize("span", SPANS)
@@ -53,6 +65,7 @@ def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch, dt):
 @pytest.mark.parametrize(
     ("choice", "x", "y", "curves"),
     [
+        (MOMENTA, "t (s)", "momentum (kg m/s)", {"1": RED, "2": CYAN, "sum": BLACK}),
         (ANGLES, "t (s)", "theta (degrees)", {"1": RED, "2": CYAN}),
         ("Velocities omega", "t (s)", "omega (degrees/s)", {"1": RED, "2": CYAN}),
         ("Phase 2", "theta (degrees)", "omega (degrees/s)", {"": CYAN}),
@@ -71,14 +84,16 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     thetas = rig.thetas()
     omegas = rig.values("omega")
     time = rig.viewer.motion.time()
+    momenta = [R_PARAM * omega * cos(theta) for theta, omega in zip(thetas, omegas, strict=True)]
     moments = {
+        MOMENTA: [time, *momenta, sum(momenta)],  # of bobs of 1 kg, to the right
         ANGLES: [time, *thetas],
         "Velocities omega": [time, *omegas],
         "Phase 2": [thetas[1], omegas[1]],
     }
     assert graph["rows"][-1] == pytest.approx(moments[choice], abs=1e-6)
     # The page draws degrees; the rows, which you can save, have rad
-    assert graph["scales"] == [1 if x == "t (s)" else DEGREES, DEGREES]
+    assert graph["scales"] == [DEGREES if "degrees" in axis else 1 for axis in (x, y)]
 
 
 def test_the_phase_picture_has_rest_in_its_middle_and_an_end(rig):

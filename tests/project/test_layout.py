@@ -50,6 +50,8 @@ def get_into(page, file, state):
         press(page, "Count hands")
         for answer, hands in (("A", "10"), ("C", "999")):
             page.get_by_label(f"Hands for {answer}").fill(hands)
+            page.keyboard.press("Tab")
+        page.wait_for_function("() => state.question.votes.predicted[2] === 999")
     if state in ("seen", "answered", "both"):
         page.locator(".choice").first.click()
     page.locator(sign).first.wait_for(state="attached")

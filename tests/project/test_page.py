@@ -295,14 +295,13 @@ def test_all_sheets_are_printed_at_once_two_on_a_page(shared):
     sheets = shared.locator("article")
     names = shared.evaluate("Object.keys(state.sheets)")
     assert sheets.locator("h2").all_inner_texts() == names
-    assert len(names) == 18
     for line in ("Name", "Date", "I predict", "I saw", "half swings in"):
         assert sheets.first.get_by_text(line).is_visible()
     assert sheets.last.get_by_text("My value").is_visible()
     assert sheets.nth(1).locator("circle").count() == 5
     assert not shared.locator(".picture, .readout").first.is_visible()
     pages_of_paper = shared.pdf(format="A4").count(b"/Type /Page\n")
-    assert pages_of_paper == 9
+    assert pages_of_paper == (len(names) + 1) // 2
     shared.evaluate("dispatchEvent(new Event('afterprint'))")
     assert sheets.count() == 0
     shared.emulate_media(media="screen")

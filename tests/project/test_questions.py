@@ -180,6 +180,33 @@ def test_you_say_what_you_saw_before_it_is_explained(asking):
     assert asking.state["speed"] == 1
 
 
+def test_without_say_what_you_saw_the_page_asks_no_more_and_explains(asking):
+    """The hands stay."""
+    asking.give("ask_seen", True)
+    asking.give("vote", KEY, 1, 5)
+    asking.give("pause")
+    while not question_of(asking).asking:
+        asking.wait(0.1)
+    asking.give("ask_seen", False)
+    assert question_of(asking) == QuestionState(predicted=1, outcome=2)
+    assert asking.state["question"]["votes"][PREDICTED] == [0, 5, 0, 0]
+    time = asking.time()
+    asking.wait(questions.REST + 0.5)
+    assert asking.time() > time
+
+
+def test_run_takes_hands_and_runs_also_while_paused(asking):
+    asking.give("ask_seen", True)
+    asking.give("answer", KEY, 0)
+    asking.give("pause")
+    while not question_of(asking).asking:
+        asking.give("step")
+    asking.give("vote", KEY, 2, 5)
+    asking.give("pause")
+    assert question_of(asking).seen == 2
+    assert asking.state["running"]
+
+
 CHANGES = [
     ("release_angle", 10),
     ("e", 0.5),

@@ -246,6 +246,8 @@ OUTERMOST = """() => Math.round(Math.max(...objects
     .filter(o => kindOf(o) === "sphere" && o.visible && !o.pickable).map(o => o.pos.x)) * 1000)"""
 
 
+@pytest.mark.browser
+@with_vpython
 @pytest.mark.parametrize("browser", ["chromium", "firefox"])
 def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(request, browser, tmp_path):
     """By touch on a phone; in Firefox, Playwright only clicks. It has the ghosts of each answer."""
@@ -273,6 +275,7 @@ def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(request, b
             question.get_by_text("What did you see?").wait_for()
             assert not page.get_by_text("What happened").is_visible()
             farthest.append(page.evaluate(OUTERMOST))
+            page.keyboard.press("e")  # there is no such answer
             touch(question.get_by_role("button", name="Again slowly"))
             question.get_by_text("What did you see?").wait_for(state="detached")
             question.get_by_text("What did you see?").wait_for()
@@ -290,6 +293,18 @@ def ghost_x(angle):
     return axle(4)[0] + R_PARAM * sin(radians(angle))
 
 
+def test_a_run_that_was_saved_too_early_says_so(page, tmp_path):
+    file = tmp_path / "run.html"
+    experiment = ROOT / "support" / "experiments" / "single" / "1_one_bob.txt"
+    options = "--html", file, "--experiment", experiment, "--seconds", "0.1"
+    assert python(PROGRAM, *options).returncode == 0
+    page.goto(file.as_uri())
+    wait_for_cradle(page)
+    page.keyboard.press("a")
+    page.get_by_text("This run was saved before its first swing.").wait_for()
+
+
+@with_vpython
 def test_all_experiments_are_written_with_an_index_and_replace_nothing_else(program, tmp_path):
     experiments = program.parents[1] / "support" / "experiments" / "single"
     for experiment in experiments.glob("[3-9]*"):
@@ -297,7 +312,8 @@ def test_all_experiments_are_written_with_an_index_and_replace_nothing_else(prog
     folder = tmp_path / "all"
     options = "--html-all", folder, "--seconds", "0.02"
     done = python(program, *options)
-    says = f"0.02 s of each of 11 experiments are in {folder}\n"
+    count = len([*experiments.iterdir()])
+    says = f"0.02 s of each of {count} experiments are in {folder}\n"
     assert (done.returncode, done.stdout, done.stderr) == (0, says, "")
     index = (folder / "index.html").read_text()
     links = re.findall('<a href="(.*?)">(.*?)</a><br>(.*?)</li>', index)

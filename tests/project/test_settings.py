@@ -48,8 +48,10 @@ def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back
         rig.give(name, value)
         assert rig.time() == 0, name
         assert rig.state["changed"]
-    for name in ("ask_first", "arrows", "measure", "slow_hits"):
+    for name in ("arrows", "measure", "slow_hits"):
         rig.give(name, True)
+    for name in ("ask_first", "ask_seen"):
+        rig.give(name, False)
     rig.give("speed", 2)
     rig.give("next")
     rig.give("reset")

@@ -16,7 +16,6 @@ from support.cradle.real_time import FRAME
 from support.files.cradle_csv import POLL
 
 TWO = "Two bobs"
-INELASTIC = "perfectly inelastic, e = 0"
 
 
 def test_pause_and_run(rig):

@@ -73,7 +73,7 @@ def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest, size):
 
 # What is there on paper, from above, and the color of the last curve in the legend.
 ON_PAPER = """() => [
-    ...find(".picture canvas, .readout, .plot canvas, .plot + .x, button, select, input, .impacts")
+    ...find(".picture canvas, .readout, .plot canvas, .plot + .x, button, select, input")
         .filter(part => part.checkVisibility()).map(part => part.className || part.nodeName),
     find(".legendColorBox div div").at(-1)?.style.borderColor,
 ]"""

@@ -166,7 +166,7 @@ class Swing(Player):
 def settings_for(cradle, file, angles=(None,), lifted=None) -> Settings:
     """Return the settings of a CSV's cradle, released from these angles (rad)."""
     pendula = checked(file, cradle.cord_count)
-    return Settings(pendula, [*angles], lifted, cradle.es, cradle.mass)
+    return Settings(pendula, [*angles], lifted, cradle.e_source, cradle.mass)
 
 
 def make_swing(

@@ -16,7 +16,7 @@ EACH = 1.2  # s that each hit is shown
 FAINTEST = 0.3  # of the arrows of a hit
 PINK = "Pink: the changes of momentum. "
 CAPTION = "The program computes the hits pair by pair."
-# What one sees of a hit, and what one would learn of a hidden value.
+# Headings of the table; those WITH_MASS would tell a hidden value.
 VELOCITY = "velocity (m/s)"
 MEAN_VELOCITY = "mean velocity (m/s)"  # of a double pendulum's two bobs
 WITH_MASS = "change of momentum (kg m/s)", "kinetic energy (J)"
@@ -105,11 +105,12 @@ class SlowHits:
         is_single = self.cradle.cord_count == 1
         is_hidden = bool(self.cradle.hidden)
         digits = digits_for(max(self.cradle.top_speeds()))
-        rows = [[f"Hit {self.current.number}", VELOCITY if is_single else MEAN_VELOCITY]]
+        heading = [f"Hit {self.current.number}", VELOCITY if is_single else MEAN_VELOCITY]
         if not is_hidden:
-            rows[0] += WITH_MASS
+            heading += WITH_MASS
+        rows = [heading]
         for i, old, new in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            before, after = self.velocity(old), self.velocity(new)
+            before, after = self.shown_velocity(old), self.shown_velocity(new)
             row = [
                 f"{'bob' if is_single else 'pendulum'} {i + 1}",
                 f"{signed(before, digits)} → {signed(after, digits)}",
@@ -120,7 +121,7 @@ class SlowHits:
             rows.append(row)
         return {"rows": rows, "caption": CAPTION if is_hidden else PINK + CAPTION}
 
-    def velocity(self, pend: Pendulum) -> float:
+    def shown_velocity(self, pend: Pendulum) -> float:
         """Return the velocity of a bob along its arc (m/s), as handle_collision has it.
 
         Of a double pendulum, it is the mean velocity of its bobs to the right.

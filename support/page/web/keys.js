@@ -36,7 +36,8 @@ function digitOf(key, code) {
 
 addEventListener("keydown", event => {
   const isPresenting = document.documentElement.classList.contains("presenting");
-  if (event.key === "Escape" && isPresenting) { // without full screen
+  const isOpen = one("#gallery").matches(":popover-open"); // Escape closes it
+  if (event.key === "Escape" && isPresenting && !isOpen) { // without full screen
     present();
     return;
   }

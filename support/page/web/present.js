@@ -1,5 +1,5 @@
 // Present: the cradle in full screen, for a class.
-import { find, one } from "page";
+import { find } from "page";
 
 export function present() {
   const root = document.documentElement;
@@ -8,9 +8,6 @@ export function present() {
   else if (document.fullscreenElement) document.exitFullscreen();
 }
 for (const button of find("button.present")) button.addEventListener("click", present);
-one("#graphing").addEventListener("change", ({ target }) => {
-  document.documentElement.classList.toggle("graphing", target.checked);
-});
 addEventListener("fullscreenchange", () => {
   document.documentElement.classList.toggle("presenting", !!document.fullscreenElement);
 });

@@ -44,7 +44,7 @@ function makeQuestion({ key, question, answers, votes, asking, replies, happened
     const isRight = number === happened?.outcome; // its text is below
     return `${WORDS[name]}: ${isRight ? LETTERS[number] : withLetter(number)}.`;
   });
-  element.append(paragraph(said.join(" ")));
+  if (said.length) element.append(paragraph(said.join(" ")));
   if (happened) {
     const { outcome, why } = happened;
     const what = outcome === null ? "none of these answers" : withLetter(outcome);

@@ -46,7 +46,7 @@ const commands = {
   },
   answer(_, number) {
     const { asking } = state.question ?? {};
-    if (!asking) return;
+    if (!asking || number >= recorded.answers.length) return;
     replies[asking] = number;
     if (asking === "predicted") again(1);
     showQuestion();
@@ -72,6 +72,7 @@ async function load() {
     for (const { state } of pictures)
       if (state.view) state.view.finger = 0; // nobody drags a bob: a finger on it turns the camera
     asks = !!pictures[0].state.question && !pictures[0].state.question.happened;
+    document.documentElement.classList.toggle("asks", asks);
     jump(0);
   } catch ({ message }) { // the browser is too old, or a site forbids a part of the file
     const advice = "Open the file in another browser, or from your disk.";
@@ -177,7 +178,7 @@ function play(now) {
     go(pictures.findLastIndex(picture => picture.time <= time));
     if (recorded?.happened) speed = 1;
     const isLast = current === pictures.length - 1;
-    if (isLast && asks && !recorded.happened) say("This run was saved before its first swing.");
+    if (isLast && asks && recorded && !recorded.happened) say("This run was saved before its first swing.");
     if (isLast || state.question?.asking) setRunning(false);
   }
   lastDrawn = now;

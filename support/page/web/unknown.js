@@ -8,13 +8,14 @@ show("unknown", unknown => one(".unknown").replaceChildren(...unknown ? [makeFor
 show("checked", showWord);
 
 function makeForm({ question, name, unit }) {
+  const hasSpeeds = state.view.labels.some(({ text }) => text.includes("m/s"));
   const field = make("input", { type: "text", inputMode: "decimal", size: 6 });
   const form = make("form", { className: "question" },
     make("p", {}, make("strong", {}, question)),
     make("label", {}, `${name} = `, field, ` ${unit} `),
     make("button", {}, "Check"),
     make("p", { role: "status" }, state.checked ?? ""),
-    make("p", { className: "at-home" }, AT_HOME),
+    make("p", { className: "at-home" }, hasSpeeds ? AT_HOME : ""),
   );
   form.addEventListener("submit", event => {
     event.preventDefault();
