@@ -98,6 +98,7 @@ class FilmRecorder(Viewer):
 
     def show_new_cradle(self) -> None:
         """Show a new cradle; one with a hidden value with what one needs to find it."""
+        self.playback.is_paused = False
         self.marks.measures = bool(self.cradle.hidden)
         super().show_new_cradle()
 

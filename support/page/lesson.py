@@ -23,11 +23,14 @@ class Lesson:
         self.playback = playback
 
     def choose(self, name: str) -> None:
-        """Let main make the cradle with this name; an experiment runs at once."""
+        """Let main make the cradle with this name; an experiment runs at once.
+
+        One with a hidden value waits: its first hit is the clearest.
+        """
         self.chooser.choose(name)
         self.questions.word = ""
         if self.chooser.experiment:
-            self.playback.is_paused = False
+            self.playback.is_paused = self.chooser.experiment.hidden is not None
 
     def choose_next(self) -> None:
         """Choose the next experiment, after the last one the first."""

@@ -139,6 +139,8 @@ class Viewer(Player):
             self.chooser.look_at_file()
             self.leave_moved_cradle()
         if self.chooser.is_changed:
+            if self.questions.asking == PREDICTED:  # what follows would give the answer away
+                self.playback.is_paused = True
             self.questions.end()
         self.playback.look_longer()
         if self.tabs.are_gone:

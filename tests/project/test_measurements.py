@@ -129,7 +129,7 @@ EXACT = {
     "7_less_elastic": ([None, None, None, None, (1.9 / 2) ** 4], None),
     "10_twice_the_mass": ([1 / 81, 4 / 81, 4 / 27, 4 / 9, 4 / 3], 10),
     "11_all_arrives": ([0, 0, 1], 4),
-    "12_putty": ([1 / 16, 1 / 16, 1 / 8, 1 / 4, 1 / 2], 10),
+    "12_a_soft_hit": ([1 / 16, 1 / 16, 1 / 8, 1 / 4, 1 / 2], 10),
     "13_two_against_one": ([-1, 0, 0, 1, 1], None),
     "14_a_step_between": ([-1 / 3, -2 / 9, 4 / 9], 2),
     "15_count_the_hits": ([-1 / 8, 9 / 16, 15 / 16], 4),

@@ -308,9 +308,10 @@ def test_all_sheets_are_printed_at_once_two_on_a_page(shared):
 
 
 def test_a_hidden_mass_is_found_with_what_the_page_shows(shared):
-    """From the speeds before and after the first hit: m = 1 kg w' / (v - v')."""
+    """From the velocities before and after the first hit, in which bob 2 hangs still."""
     tick(shared, "Slow hits")
     pages.choose(shared, "An unknown mass")
+    press(shared, "Run")
     hit = shared.locator(".hit-part td")
     hit.first.wait_for()
     (before, after), (_, other) = [
@@ -322,7 +323,7 @@ def test_a_hidden_mass_is_found_with_what_the_page_shows(shared):
     wait_for_text(shared, "Type a number, such as 1.5.")
     shared.get_by_label("mass of bob 1 =").fill(f"{mass:.2f}")
     press(shared, "Check")
-    wait_for_text(shared, "The hit keeps the momentum")
+    wait_for_text(shared, "Bob 2 gets the momentum that bob 1 loses")
     assert violations(shared) == {}
 
 

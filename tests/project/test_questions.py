@@ -236,7 +236,7 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
     asking.wait(0.6)  # the measurement would be over
     assert question_of(asking) is None
     assert asking.state["word"] == ("" if change == ("save",) else questions.OVER)
-    assert asking.state["running"]  # only the question has held it up
+    assert asking.state["paused"] == (change != ("save",))  # else it would give the answer away
     asking.give("ask_first", False)
     asking.give("ask_first", True)
     assert asking.state["experiment"] == name

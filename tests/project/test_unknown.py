@@ -37,6 +37,7 @@ def unknown(csv, tmp_path, monkeypatch):
         for name in ("arrows", "measure", "slow_hits"):
             rig.give(name, True)
         rig.give("next")
+        rig.give("pause")  # it waits
         return rig
 
     return unknown
@@ -138,9 +139,9 @@ def test_a_saved_run_and_recorded_data_do_not_show_it(text, tmp_path):
 # What one reads in the hits, velocities before and after (m/s): v and v' of the left bob, w and w'
 # of the right one; and the value, as `why` says
 FORMULAS = {
-    "An unknown mass": lambda v, v1, w, w1: w1 / (v - v1),
-    "An unknown e": lambda v, v1, w, w1: (w1 - v1) / v,
-    "An unknown one between": lambda v, v1, w, w1: (v - v1) / w1,
+    "An unknown mass": lambda v, v1, w, w1: (w1 - w) / (v - v1),
+    "An unknown e": lambda v, v1, w, w1: (w1 - v1) / (v - w),
+    "An unknown one between": lambda v, v1, w, w1: (v - v1) / (w1 - w),
 }
 
 
@@ -148,6 +149,9 @@ FORMULAS = {
 def test_a_shipped_hidden_value_is_found_from_the_first_slow_hit(rig, name):
     rig.give("slow_hits", True)
     rig.give("experiment", name)
+    rig.wait(0.5)
+    assert rig.time() == 0
+    rig.give("pause")
     while rig.state["hit"] is None:
         rig.wait(0.05)
     texts = [text for _, text in rig.state["hit"]["rows"][1:]]

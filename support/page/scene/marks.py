@@ -11,7 +11,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.motion import digits_for
 from support.energy import bob_motions, momentum
 from support.page.scene.slow_hits import SlowHit, SlowHits
-from support.pendulum import arm, cord_angles, make_shape, Pendulum
+from support.pendulum import arm, cord_angles, Pendulum
 
 # s: an arrow is as long as its bob's way in a ninth of a small swing.
 ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
@@ -77,11 +77,12 @@ class Marks:
     def take(self, name: str, count: int, kind: type, **attributes: Any) -> list:
         """Return the first shapes with this name; make those that are missing, and hide the rest.
 
-        They never become parts of a cradle: what makes a ghost a ghost would stay with them.
+        They never become parts of a cradle, and no part becomes one: in the browser, a shape stays
+        pickable, or not. ghosts.js knows ghosts by the order in which they were made.
         """
         shapes = self.shapes.setdefault(name, [])
         while len(shapes) < count:
-            shapes.append(make_shape(kind, **attributes))
+            shapes.append(kind(**attributes))
         for number, shape in enumerate(shapes):
             is_needed = number < count
             if shape.visible != is_needed:  # VPython would send it again

@@ -1,8 +1,8 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
 // And the texts in its picture: the numbers above the axles, and the labels.
 import { isShown, nameOf } from "ghosts";
-import { label, scene, vec } from "glow";
-import { one, state } from "page";
+import { label, rgb, scene, vec } from "glow";
+import { css, one, state } from "page";
 
 const FORWARD = [0, -0.2, -1]; // the camera looks a little from above
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
@@ -15,12 +15,11 @@ const LETTER = 0.55; // width of a letter, in heights
 
 // How the texts look, by their kind; yoffset 1 is above a place, -1 below it.
 const PLAIN = { color: INK, opacity: 0, border: 5 };
-const BOXED = { color: vec(1, 1, 1), background: vec(0.1, 0.1, 0.1), opacity: 0.6, border: 6 };
 const STYLES = {
   number: { ...PLAIN, yoffset: 1 },
   dial: { ...PLAIN, yoffset: 0 },
-  bob: { ...BOXED, yoffset: -1 },
-  name: { ...BOXED, yoffset: 1 },
+  bob: { opacity: 0.7, border: 4, yoffset: -1 },
+  name: { opacity: 0.7, border: 6, yoffset: 1 },
 };
 
 let home; // the center and the range with which the whole cradle fills the canvas
@@ -98,8 +97,8 @@ function writeTexts() {
   const { numbers, top, text_height } = state.view;
   const { width, height, range } = scene();
   written = range;
-  const ofPage = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
-  const size = Math.max(SMALLEST * ofPage, text_height * height);
+  const pageSize = parseFloat(getComputedStyle(document.documentElement).fontSize) * devicePixelRatio;
+  const size = Math.max(SMALLEST * pageSize, text_height * height);
   const pixel = 2 * range / Math.min(width, height); // m
   const span = (numbers.at(-1).x - numbers[0].x) / pixel;
   const apart = span / (numbers.length - 1) || Infinity; // pixels from axle to axle
@@ -110,10 +109,16 @@ function writeTexts() {
   const inside = ({ x, y, text: ownText, kind, answer }) => {
     const text = answer === null ? ownText : nameOf(answer);
     const height = kind === "bob" ? Math.min(size, apart / widthOf(text)) : size;
-    return { pos: vec(x, y, 0), text, height, ...STYLES[kind] };
+    const colors = kind === "dial" ? {} : { color: ofPage("--ink"), background: ofPage("--paper") };
+    return { pos: vec(x, y, 0), text, height, ...colors, ...STYLES[kind] };
   };
   const shown = state.view.labels.filter(({ answer }) => isShown(answer));
   showLabels([...fitting.map(above), ...shown.map(inside)]);
+}
+
+function ofPage(name) {
+  const { r, g, b } = rgb(css(name));
+  return vec(r, g, b).divide(255);
 }
 
 // Return the width of a text with a gap, in heights of its letters.

@@ -31,7 +31,8 @@ const makeAgain = () => [
 function makeQuestion({ key, question, answers, votes, asking, replies, happened }) {
   const withLetter = number => `${LETTERS[number]}, ${answers[number]}`;
   const element = make("div", { className: "question" });
-  element.append(paragraph(strong(asking === "seen" ? "What did you see?" : question)));
+  element.append(asking === "seen" ? paragraph(question) : paragraph(strong(question)));
+  if (asking === "seen") element.append(paragraph(strong("What did you see?")));
   if (asking) {
     element.append(makeAnswers(key, answers));
     element.append(make("button", { className: "count", onclick: countHands }, "Count hands"));
@@ -74,6 +75,7 @@ function makeCounter(key, number) {
   const letter = LETTERS[number];
   const field = make("input", { type: "text", inputMode: "numeric", className: "hands" });
   field.ariaLabel = `Hands for ${letter}`;
+  field.onfocus = () => field.select(); // what you type replaces the number
   const set = count => {
     const isCount = Number.isInteger(count) && count >= 0 && count <= MOST_HANDS;
     if (isCount) send("vote", key, number, count);

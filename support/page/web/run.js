@@ -82,7 +82,7 @@ async function load() {
   }
   slider.max = pictures.at(-1).time;
   const isCalm = matchMedia("(prefers-reduced-motion)").matches;
-  setRunning(!isCalm);
+  setRunning(!isCalm && !state.unknown);
   requestAnimationFrame(play);
 }
 

@@ -9,8 +9,8 @@ one(".print-sheets").addEventListener("click", () => {
 });
 addEventListener("afterprint", () => one(".sheets").replaceChildren());
 
-// Before and after the first hit.
-const SPEEDS = "v = ______ m/s, v' = ______ m/s, w = ______ m/s, w' = ______ m/s";
+const SPEEDS = `Velocities (m/s) before and after the first hit:
+  left bob v = ______, v' = ______; right bob w = ______, w' = ______`;
 const paragraph = (...parts) => make("p", {}, ...parts);
 
 function makeSheet([name, { question, answers }]) {

@@ -2,7 +2,7 @@
 import { make, one, show, state } from "page";
 import { send } from "program";
 
-const AT_HOME = "Restart, pause, and step through the first hit: the speeds are below the bobs.";
+const AT_HOME = "Step through the first hit: the speeds are below the bobs. Check your value in class.";
 
 show("unknown", unknown => one(".unknown").replaceChildren(...unknown ? [makeForm(unknown)] : []));
 show("checked", showWord);
