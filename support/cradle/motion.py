@@ -102,19 +102,23 @@ class Motion:
         """Return the data of this moment by the names of the columns of a data file.
 
         They are t (s), the coordinates (rad, rad/s), the three energies (J), and the momentum to
-        the right (kg m/s). While a mass or e is hidden, there are only the first two.
+        the right (kg m/s).
         """
-        sample = {"t": self.time(), **self.cradle.coordinates()}
-        if self.cradle.hidden:
-            return sample
         kinetic, potential = self.cradle.energies()
         return {
-            **sample,
+            "t": self.time(),
+            **self.cradle.coordinates(),
             "kinetic": kinetic,
             "potential": potential,
             "total": kinetic + potential,
             "momentum": self.cradle.momentum(),
         }
+
+    def shown_sample(self) -> Sample:
+        """Return the sample of this moment; while a value is hidden, only t and the coordinates."""
+        if self.cradle.hidden:
+            return {"t": self.time(), **self.cradle.coordinates()}
+        return self.sample()
 
 
 def keeps_momentum(hit: Hit) -> bool:

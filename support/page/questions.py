@@ -14,7 +14,7 @@ PREDICTED = "predicted"  # asked before the release
 SEEN = "seen"  # asked after the first swing
 REST = 3.0  # s that the picture rests when an experiment has been measured
 WAITS = "The cradle waits for your answer. Choose one, or count hands and press Run."
-TIE = "Two answers have as many hands. Choose one of them."
+TIE = "Two answers have the same number of hands. Choose one of them."
 OVER = (
     "You have changed the cradle, so its question is over. To ask it again, choose the experiment."
 )

@@ -6,8 +6,9 @@ from support.columns import CHECKED, to_number
 from support.cradle.cradle import Cradle
 from support.page.names import State
 
-NEAR = 5.0  # %: a value that is not farther off is found
-FAR = 10.0  # %: of a value that is farther off, the page does not say by how much: nobody reckons
+EXACT = 0.05  # %: a value that is not so far off is right
+NEAR = 5.0  # %: with a value that is not farther off, the page says how one finds it
+FAR = 10.0  # %: of a value that is farther off, it says no more, or one guess would tell the value
 
 
 class Unknown:
@@ -29,21 +30,15 @@ class Unknown:
         column = CHECKED[hidden.column]
         right = self.cradle.values(hidden.column)[hidden.rows[0]]
         text = text.strip().replace(",", ".")
-        if not column.allows(text):
-            is_none = isnan(to_number(text))
-            needs = f"Type a number, such as {column.example}"
-            self.word = f"{needs if is_none else f'Allowed is {column.allowed()}'}."
-            return
-        off = 100 * (float(text) / right - 1)  # %
-        side = "large" if off > 0 else "small"
-        if abs(off) < 0.05:
-            self.word = f"{text} is right."
-        elif abs(off) > FAR:
-            self.word = f"{text} is more than {FAR:.0f} % too {side}."
+        if isnan(to_number(text)):
+            self.word = f"Type a number, such as {column.example}."
+        elif not column.allows(text):
+            self.word = f"Allowed is {column.allowed()}."
         else:
-            self.word = f"{text} is {abs(off):.1f} % too {side}."
-        if abs(off) <= NEAR:
-            self.word += f" {hidden.why}"
+            off = 100 * (float(text) / right - 1)  # %
+            self.word = f"{text} is {how_far(off)}."
+            if abs(off) <= NEAR:
+                self.word += f" {hidden.why}"
 
     def state(self) -> State:
         """Return the question, the name and the unit of the value, and the word about yours."""
@@ -54,3 +49,13 @@ class Unknown:
         unit = CHECKED[hidden.column].unit
         unknown = {"question": hidden.question, "name": name, "unit": unit}
         return {"unknown": unknown, "checked": self.word}
+
+
+def how_far(off: float) -> str:
+    """Return in words how far a value is off (%)."""
+    side = "large" if off > 0 else "small"
+    if abs(off) < EXACT:
+        return "right"
+    if abs(off) > FAR:
+        return f"more than {FAR:.0f} % too {side}"
+    return f"{abs(off):.1f} % too {side}"

@@ -291,15 +291,16 @@ class Viewer(Player):
 
     def take_sample(self) -> None:
         """Add this moment to the graph."""
-        momenta = {}
-        if not self.cradle.hidden:
-            drawn = self.cradle.pend_list[:MOST_DRAWN]
-            for number, p in enumerate(self.marks.momenta_of(drawn), start=1):
-                momenta[f"momentum_{number}"] = p
-        self.graph.add(self.motion.sample() | momenta)
-        kinetic, potential = self.cradle.energies()
-        self.stopwatch.look(self.motion.time(), kinetic, kinetic + potential)
+        sample = self.motion.sample()
+        self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
         self.bars.look()
+        if self.cradle.hidden:
+            self.graph.add(self.motion.shown_sample())
+            return
+        drawn = self.cradle.pend_list[:MOST_DRAWN]
+        for number, p in enumerate(self.marks.momenta_of(drawn), start=1):
+            sample[f"momentum_{number}"] = p
+        self.graph.add(sample)
 
     def looks_at_hits(self) -> bool:
         return self.slow_hits.is_on

@@ -163,7 +163,7 @@ class DataRecorder(Player):
         self.progress = progress
 
     def show_new_cradle(self) -> None:
-        self.writer.writerow(self.motion.sample())  # its names
+        self.writer.writerow(self.motion.shown_sample())  # its names
         self.take_sample()
 
     def frame(self) -> None:
@@ -174,7 +174,7 @@ class DataRecorder(Player):
         self.plan(min(TICKS_A_FRAME, self.last - self.motion.ticks))
 
     def take_sample(self) -> None:
-        self.writer.writerow(self.motion.sample().values())
+        self.writer.writerow(self.motion.shown_sample().values())
 
 
 def record(

@@ -40,21 +40,26 @@ function makeQuestion({ key, question, answers, votes, asking, replies, happened
     return element;
   }
   element.append(...makeBars(votes));
-  const said = Object.keys(replies).filter(name => replies[name] !== null).map(name => {
-    const number = replies[name];
-    const isRight = number === happened?.outcome; // its text is below
-    return `${WORDS[name]}: ${isRight ? LETTERS[number] : withLetter(number)}.`;
+  const said = makeReplies(replies, number => {
+    return number === happened?.outcome ? LETTERS[number] : withLetter(number); // its text is below
   });
-  if (said.length) element.append(paragraph(said.join(" ")));
-  if (happened) {
-    const { outcome, why } = happened;
-    const what = outcome === null ? "none of these answers" : withLetter(outcome);
-    element.append(paragraph(strong(`What happened: ${what}. `), why));
-    const isWrong = replies.seen !== null && replies.seen !== outcome;
-    if (isWrong) element.append(paragraph("You saw something else: look again, slowly."));
-    element.append(...makeAgain());
-  }
+  if (said) element.append(paragraph(said));
+  if (happened) element.append(...makeOutcome(happened, replies.seen, withLetter), ...makeAgain());
   return element;
+}
+
+// Return the replies in sentences; name(number) is that of an answer.
+function makeReplies(replies, name) {
+  const given = Object.keys(replies).filter(asked => replies[asked] !== null);
+  return given.map(asked => `${WORDS[asked]}: ${name(replies[asked])}.`).join(" ");
+}
+
+function makeOutcome({ outcome, why }, seen, name) {
+  const what = outcome === null ? "none of these answers" : name(outcome);
+  const parts = [paragraph(strong(`What happened: ${what}. `), why)];
+  const isWrong = seen !== null && seen !== outcome;
+  if (isWrong) parts.push(paragraph("You saw something else: look again, slowly."));
+  return parts;
 }
 
 function makeAnswers(key, answers) {
