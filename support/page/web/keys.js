@@ -36,9 +36,8 @@ function digitOf(key, code) {
 
 addEventListener("keydown", event => {
   const isPresenting = document.documentElement.classList.contains("presenting");
-  const isOpen = one("#gallery").matches(":popover-open"); // Escape closes it
-  if (event.key === "Escape" && isPresenting && !isOpen) { // without full screen
-    present();
+  if (event.key === "Escape" && isPresenting) { // without full screen
+    if (!one("#gallery").matches(":popover-open")) present(); // else it only closes the pictures
     return;
   }
   const isShortcut = event.metaKey || event.ctrlKey || event.altKey;
