@@ -15,7 +15,7 @@ from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import clean_copy, read_cradle
-from support.start.checks_command import checks_command
+from support.start.commands import checks_command
 from support.start.early import stop_on_signals
 from support.start.mistake import is_pend_list, report_endless_loop, report_mistake
 from support.start.output import refuse, while_it_is_read

@@ -20,6 +20,6 @@ Words
 
 def load_tests(*_: object) -> None:
     """Say how checks are run: python -m unittest calls this, and finds none of them."""
-    from support.start.checks_command import checks_command
+    from support.start.commands import checks_command
 
     raise SystemExit(f"unittest does not find the checks. Type {checks_command()} to run them.")

@@ -4,7 +4,7 @@ from importlib.util import find_spec
 
 import pytest
 
-from support.start.checks_command import checks_command
+from support.start.commands import python_command
 
 PACKAGES = ("hypothesis", "importlinter", "numpy", "pymunk", "scipy", "xdist")
 ARE_MISSING = not all(map(find_spec, PACKAGES))
@@ -25,8 +25,5 @@ def pytest_ignore_collect(collection_path, config):
 def pytest_terminal_summary(terminalreporter, config):
     """Say how the project's own tests are run, if they were not."""
     if is_graded_only(config):
-        command = checks_command()
-        if command.startswith("uv run"):
-            command = command.replace("uv run", "uv run --extra tests")
         packages = "The project's own tests: install tests/requirements.txt"
-        terminalreporter.line(f"{packages}, and type {command} -n 2 tests")
+        terminalreporter.line(f"{packages}, and type {python_command('-m', 'pytest')} -n 2 tests")

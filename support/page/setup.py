@@ -11,7 +11,7 @@ from support.files.experiments import experiment_text
 from support.page.chooser import Chooser
 from support.page.names import State
 from support.pendulum import angle_to_outwards
-from support.start.options import command_line
+from support.start.commands import python_command, ROOT
 
 NAME = "My setup"  # of the experiment in the file
 FILE = "my_cradle.txt"  # keep.js has this name, too
@@ -54,7 +54,7 @@ class Setup:
             advice = f"{NO_RULE} {advice}"
         if self.csv != NC_FP:
             options = [self.csv, *options]
-        command = command_line(self.cradle.page_program, options)
+        command = python_command(ROOT / self.cradle.page_program, *options)
         return {"same_cradle": command, "advice": advice, "setup": self.file_text()}
 
     def options(self) -> list[str] | None:

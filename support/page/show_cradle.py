@@ -16,10 +16,10 @@ from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import read_cradle
 from support.main_page import Loop
+from support.start.commands import python_command, ROOT
 from support.start.early import end_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.options import (
-    command_line,
     read_double_page_options,
     read_page_options,
     require_lifted,
@@ -94,7 +94,7 @@ def show_page(
         if options.experiment is not None:
             experiment = read_experiment(Path(options.experiment), len(angles))
         if options.html is None and options.html_all is None:
-            server = open_page(options, command_line(cradle.page_program, sys.argv[1:]))
+            server = open_page(options, python_command(ROOT / cradle.page_program, *sys.argv[1:]))
     except ValueError as error:
         refuse(error)
     from support.page.viewer import Start, Viewer  # while the browser starts
@@ -141,7 +141,8 @@ def open_page(options: Namespace, command: str) -> "Server":
     from support.page.server.port import listen
     from support.page.server.server import Server
 
-    texts: Texts = {"command": command, "terminal": command_line("src/text_cradle_run.py")}
+    terminal = python_command(ROOT / "src" / "text_cradle_run.py")
+    texts: Texts = {"command": command, "terminal": terminal}
     server = Server(listen(options.host, options.port), texts)
     say(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:

@@ -66,15 +66,11 @@ def on_signals(act: Callable[[int], object]) -> None:
 
 
 def end_on_signals(first: Callable[[], object] = lambda: None) -> None:
-    """Let these signals call first, and end the process at once.
-
-    Its status is 1 if a recording has not begun yet.
-    """
-    is_recording = any(word.startswith("--record") for word in sys.argv[1:])
+    """Let these signals call first, and end the process at once with the exit status."""
 
     def end(status: int) -> NoReturn:
         first()
-        os._exit(1 if is_recording else status)
+        os._exit(status)
 
     on_signals(end)
 

@@ -5,12 +5,9 @@ A wrong option ends the program with status 2 and one line.
 
 import argparse
 import os
-import shlex
-import subprocess
 import sys
 from collections.abc import Callable, Sequence
 from math import inf, isfinite, isnan, sqrt
-from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from support import constants
@@ -20,10 +17,8 @@ from support.files.data_file import EVERY
 from support.files.valid_cradle import CradleCsv
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.signs import found, in_plain_signs, odd_sign
-from support.start.checks_command import ROOT
 from support.start.output import refuse
 
-FOLDER = Path.cwd()  # now: a student's function may leave it
 # VPython's environment variables; --port and --no-browser override them.
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
 CLOSED_VARIABLE = "VPYTHON_NO_LAUNCH_BROWSER"
@@ -61,9 +56,6 @@ class OneLineParser(argparse.ArgumentParser):
             if plain != name and plain.startswith("-") and isnan(to_number(plain)):
                 allowed = f"--{plain.lstrip('-')}"
                 self.error(f"found {word!r}{odd_sign(name)}; allowed is {allowed}")
-            # Up to Python 3.12, its value would be an empty list
-            if word.startswith("-") and word.endswith("=--"):
-                self.error(f"found {word!r}, allowed is no -- after =")
         return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
@@ -302,15 +294,3 @@ def require_lifted(lift: int | None, csv: CradleCsv) -> None:
             f"--lift: found '{lift}', allowed is at most {count}, "
             f"the number of pendula in {csv.filepath}"
         )
-
-
-def command_line(program: str, arguments: Sequence[str] = ()) -> str:
-    """Return the command that starts a program from this folder, with the running Python.
-
-    program is its path in the project.
-    """
-    words = []
-    for path in (Path(sys.executable), ROOT / program):
-        words.append(str(path.relative_to(FOLDER) if path.is_relative_to(FOLDER) else path))
-    words.extend(arguments)
-    return subprocess.list2cmdline(words) if sys.platform == "win32" else shlex.join(words)

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple, Protocol
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.main_page import Loop, Page
 from support.pendulum import discard
-from support.start.checks_command import checks_command, ROOT
+from support.start.commands import checks_command, ROOT
 from support.start.output import refuse
 
 SRC = ROOT / "src"

@@ -45,7 +45,7 @@ def end_uncaught(_: object, error: BaseException, __: object) -> None:
 
 def refuse_to_run() -> None:
     """Say how the functions of a file without a program are checked, and exit with status 1."""
-    from support.start.checks_command import checks_command
+    from support.start.commands import checks_command
 
     sys.exit(
         f"This file has only functions. Type {checks_command()} to check them, "

@@ -18,7 +18,7 @@ from support.start.unfit import refuse_unfit  # noqa: E402
 refuse_unfit()
 
 import support.headless_vpython  # noqa: E402, F401
-from support.start.checks_command import checks_command  # noqa: E402
+from support.start.commands import checks_command  # noqa: E402
 
 
 def refuse_to_run() -> None:

@@ -5,7 +5,7 @@ from collections import Counter
 from grading.grader import Check, checks
 from grading.handout import FUNCTIONS, highest, SUITES
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED, WAITING
-from support.start.checks_command import checks_command
+from support.start.commands import checks_command
 
 
 def grade(outcomes: dict[str, Outcome]) -> dict:

@@ -37,7 +37,7 @@ from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import whole_file
 from support.files.valid_cradle import read_cradle
-from support.start.checks_command import checks_command
+from support.start.commands import checks_command
 
 GRADING = pytest.StashKey[Grading]()
 OUTCOME = "outcome of a check"  # the name under which a report of pytest has it

@@ -22,7 +22,6 @@ from whole_cradles import FIVE_CSV, make_swing
 from support.start.options import PORT_VARIABLE
 
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
-os.environ.pop("UV", None)  # of `uv run pytest`: they would name uv's command
 
 # A program inherits the signals that are ignored, as with nohup, but none that has a handler.
 for name in ("SIGHUP", "SIGINT", "SIGQUIT"):

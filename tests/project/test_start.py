@@ -1,4 +1,4 @@
-"""The start and the end of a program: slow modules, the output, signals."""
+"""Before and after main: slow modules, commands to type, the output, signals."""
 
 import errno
 import io
@@ -15,6 +15,7 @@ from unittest.mock import Mock
 import pytest
 from programs import call, on_posix, ROOT
 
+from support.start import commands
 from support.start.early import end_on_signals, import_later, import_now, stop_on_signals
 from support.start.output import complain, say, while_it_is_read
 
@@ -36,6 +37,19 @@ def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
     assert imports == [1, 1]
     import_later("no_such_module")
     assert "no_such_module" not in sys.modules
+
+
+def test_a_command_to_type_starts_this_python_from_the_folder_of_the_start(monkeypatch):
+    monkeypatch.setattr(sys, "platform", "linux")
+    monkeypatch.setattr(sys, "executable", str(ROOT / ".venv" / "python"))
+    monkeypatch.setattr(commands, "FOLDER", ROOT)
+    assert commands.checks_command() == ".venv/python -m pytest"
+    program = commands.python_command(ROOT / "src" / "x.py", "--e", "0.9", "my cradle.csv")
+    assert program == ".venv/python src/x.py --e 0.9 'my cradle.csv'"
+    monkeypatch.setattr(commands, "FOLDER", ROOT / "src")
+    assert commands.checks_command() == f"{ROOT}/.venv/python -m pytest {ROOT}/tests"
+    monkeypatch.setattr(sys, "platform", "win32")
+    assert commands.python_command("a b.csv").endswith(' "a b.csv"')
 
 
 @pytest.mark.parametrize(
@@ -126,15 +140,12 @@ def test_each_signal_ends_a_program_once_with_its_status(handlers, number, statu
     assert {*handlers.values()} == {"ignored"}  # nothing interrupts the clean-up
 
 
-@pytest.mark.parametrize(("option", "status"), [("--lift=1", 143), ("--record=data.csv", 1)])
-def test_a_signal_while_a_program_starts_ends_it_at_once(handlers, monkeypatch, option, status):
-    """Without its recording, a program has failed."""
-    monkeypatch.setattr(sys, "argv", ["program.py", option])
+def test_a_signal_while_a_program_starts_ends_it_at_once(handlers, monkeypatch):
     events = []
     monkeypatch.setattr("os._exit", events.append)
     end_on_signals(first=lambda: events.append("first"))
     handlers[15](15, None)
-    assert events == ["first", status]
+    assert events == ["first", 143]
 
 
 def test_in_a_session_signals_stay_as_they_are(handlers, monkeypatch):
