@@ -11,6 +11,7 @@ import "paper";
 import { isOpen } from "program";
 
 let hasBegun = false;
+let isDark = false; // as it is painted
 
 if (!canDraw) notice("no-webgl");
 
@@ -47,7 +48,6 @@ function begin() {
   scene().bind("draw_complete", endPicture);
   element.addEventListener("webglcontextlost", stopDrawing);
   element.addEventListener("webglcontextrestored", loadAgain);
-  dark.addEventListener("change", paint);
   paint();
   resize();
   setInterval(describe, 1000);
@@ -58,6 +58,7 @@ function begin() {
 function watch() {
   resize();
   limit();
+  if (isDark !== dark.matches) paint();
   requestAnimationFrame(watch);
 }
 
@@ -72,6 +73,7 @@ function resize() { // the canvas fills its part of the window, in the pixels of
 }
 
 function paint() { // the canvas has the color of the page
+  isDark = dark.matches;
   const { r, g, b } = rgb(css("--back"));
   scene().background = vec(r, g, b).divide(255);
   shine();
