@@ -31,10 +31,17 @@ for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
 
 
 def pytest_itemcollected(item):
-    """Mark the tests that open a page; the program of a page needs VPython, and gets signals."""
+    """Mark the tests that open a page; the program of a page needs VPython, and gets signals.
+
+    With --dist loadgroup, one process has Firefox, and one process the shared page of a file.
+    """
     if {"page", "shared"}.intersection(item.fixturenames):
         for mark in (pytest.mark.browser, *needs_vpython):
             item.add_marker(mark)
+    if "firefox" in item.fixturenames or "[firefox]" in item.name:
+        item.add_marker(pytest.mark.xdist_group("firefox"))
+    elif "shared" in item.fixturenames:
+        item.add_marker(pytest.mark.xdist_group(item.path.name))
 
 
 @pytest.fixture

@@ -7,7 +7,7 @@ from classroom import LEAVES
 
 # Before each of them.
 HEADER = """
-import ctypes, fcntl, mmap, os, resource, shutil, signal, socket, sys, threading, time
+import ctypes, fcntl, mmap, os, resource, shutil, signal, socket, sys, time
 here = os.path.dirname(os.path.dirname(__file__))
 calls = ctypes.CDLL(None, use_errno=True)
 
@@ -59,21 +59,17 @@ for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGHUP):
     signal.signal(number, signal.SIG_IGN)
 """,
     "locks the starter": "fcntl.flock(open('/autograder/source/pyproject.toml'), fcntl.LOCK_EX)",
-    "gets no rights": """
-assert calls.prctl(39, 0, 0, 0, 0) == 1
+    "looks for a way out": """
+assert calls.prctl(39, 0, 0, 0, 0) == 1  # it gets no rights
 assert os.getuid() == os.getgid() == 65534
 assert not [line for line in open('/proc/self/status') if line[:3] == 'Cap' and int(line[8:], 16)]
-""",
-    "makes no namespace": "assert calls.unshare(0x10000000) == calls.unshare(0x20000) == -1",
-    "mounts nothing": "assert calls.mount(b'none', b'/cradle', b'tmpfs', 0, None) == -1",
-    "writes nothing outside": """
+assert calls.unshare(0x10000000) == calls.unshare(0x20000) == -1
+assert calls.mount(b'none', b'/cradle', b'tmpfs', 0, None) == -1
 for path in ('/a', '/tmp/a', '/autograder/source/a', '/etc/passwd', '/proc/sysrq-trigger'):
     assert error_of(open, path, 'w')
 for path in ('/proc/sys/kernel/core_pattern', '/sys/fs/cgroup/a', '/dev/kmsg', '/dev/mem'):
     assert error_of(open, path, 'w')
-""",
-    "sees no other process": "assert {int(n) for n in os.listdir('/proc') if n.isdigit()} <= {*range(1, 60)}",
-    "takes no more than it may": """
+assert {int(n) for n in os.listdir('/proc') if n.isdigit()} <= {*range(1, 60)}
 for name in ('CORE', 'CPU', 'FSIZE', 'NOFILE', 'NPROC'):
     number = getattr(resource, f'RLIMIT_{name}')
     most = resource.getrlimit(number)[1]
@@ -83,49 +79,17 @@ for name in ('CORE', 'CPU', 'FSIZE', 'NOFILE', 'NPROC'):
         sys.exit(name)
     except (OSError, ValueError):
         pass
+assert not any(v for n, v in os.environ.items() if 'proxy' in n.lower())
 """,
-    "has no password of a proxy": "assert not any(v for n, v in os.environ.items() if 'proxy' in n.lower())",
 }
 
 SPOILED = {
-    "kills its parent": "os.kill(os.getppid(), 9)",
     "kills all": "os.kill(-1, 9)",
     "stops all": "os.kill(-1, signal.SIGSTOP)",
-    "traces the first process": """
-assert calls.ptrace(0x4206, 1, 0, 0) == 0  # it seizes it,
-assert calls.ptrace(0x4207, 1, 0, 0) == 0  # and stops it
-time.sleep(999)
-""",
-    "forks": """
-while True:
-    try:
-        if not os.fork():
-            os.setsid()
-            signal.signal(signal.SIGTERM, signal.SIG_IGN)
-    except OSError:
-        time.sleep(0.01)  # or all others would wait for it
-""",
-    "starts threads": """
-while True:
-    threading.Thread(target=time.sleep, args=(300,)).start()
-""",
     "takes memory": """
 rows = [0]
 while True:
     rows += rows
-""",
-    "takes memory in many processes": """
-for _ in range(6):
-    os.fork()
-taken = bytearray(9 * 10**8)
-while True:
-    taken[::4096] = bytes(len(taken[::4096]))
-""",
-    "takes memory in files without a name": """
-files = [os.memfd_create('a') for _ in range(200)]
-while True:
-    for file in files:
-        os.write(file, bytes(10**6))
 """,
     "takes shared memory": """
 taken = mmap.mmap(-1, 4 * 10**9)
@@ -137,10 +101,7 @@ for i in range(10):
     open(f'{here}/{i}', 'wb').write(bytes(9_000_000))
 """,
     "removes all": "shutil.rmtree(here, ignore_errors=True)",
-    "makes a pipe": "os.mkfifo(here + '/grade.json')",
     "makes a link": "os.symlink('/dev/zero', here + '/grade.json')",
-    "makes a link to a file": "os.symlink('/etc/passwd', here + '/grade.json')\nos._exit(0)",
-    "makes a folder": "os.mkdir(here + '/grade.json')",
     "makes a file with holes": """
 with open(here + '/grade.json', 'wb') as file:
     file.truncate(39_000_000)
@@ -150,11 +111,5 @@ os.abort()
 while True:
     os.write(1, b'x' * 100_000)
 """,
-    "prints a grade without end": """
-pipe = os.open('/proc/1/fd/1', os.O_WRONLY)
-while True:
-    os.write(pipe, b'x' * 100_000)
-""",
     "ends at once": "os.abort()",
-    "waits for nobody": "signal.pthread_sigmask(signal.SIG_BLOCK, range(1, 65))\nwhile True: time.sleep(999)",
 }

@@ -94,19 +94,19 @@ def new_page(browser, **settings):
     page.close()
 
 
-def open_cradle(page, address, bobs=5, drawn=False):
+def open_cradle(page, address, bobs=5):
     """Open the page, and wait until it shows the cradle."""
     page.goto(address)
-    wait_for_cradle(page, bobs, drawn)
+    wait_for_cradle(page, bobs)
 
 
-def wait_for_cradle(page, bobs=5, drawn=False):
+def wait_for_cradle(page, bobs=5):
     """Wait for the bobs, their numbers, and a camera that fits the canvas.
 
     Only a test of the picture has it drawn.
     """
     page.wait_for_function(f"() => window.scene && ({BOBS})().length === {bobs}")
-    draw(page, drawn)
+    draw(page, False)
     page.wait_for_function("() => scene().width === $('.canvas').width() * devicePixelRatio")
 
 

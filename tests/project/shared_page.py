@@ -109,6 +109,7 @@ def shared(open_page, file):
     page.evaluate(PUT_BACK)
     page.wait_for_function(IS_BACK)
     pages.press(page, "Run")
+    pages.button(page, "Pause").wait_for()  # else the page may still say that it is paused
     return page
 
 

@@ -19,11 +19,11 @@ ALWAYS_THE_SAME = settings(
 )
 
 
-def random_examples(few, many, **strategies):
-    """Run a test with few values of these strategies, and with many in a slow run."""
+def random_examples(*counts, **strategies):
+    """Run a test with this number of values of these strategies; a second count is for CI."""
 
     def decorate(test):
-        @pytest.mark.parametrize("count", slow_except([few], [few, many]))
+        @pytest.mark.parametrize("count", slow_except(counts[:1], counts))
         def run(count):
             settings(ALWAYS_THE_SAME, max_examples=count)(given(**strategies)(test))()
 
@@ -38,13 +38,6 @@ def powers(base, least, most):
 
 
 RESTITUTIONS = st.sampled_from([0, 1]) | st.floats(0, 1)
-
-# theta (rad), mass (kg) and e of each pendulum in a row, from left to right
-ROWS = st.lists(
-    st.tuples(st.just(0) | st.floats(-1, 1), powers(10, -6, 6), RESTITUTIONS),
-    min_size=2,
-    max_size=10,
-)
 
 # --- double pendula -----------------------------------------------------------------------------
 

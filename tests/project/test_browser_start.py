@@ -30,7 +30,7 @@ print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{vis
 
 
 @pytest.mark.parametrize(("until", "status"), [("a tab", 0), ("SIGTERM", 143)])
-def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
+def test_a_browser_gets_a_file_that_leads_on(program, tmp_path, until, status):
     """All users of a machine can read a command; only you the file.
 
     It goes with the first tab, or with the program; or with the next start, if it is old.
@@ -43,8 +43,13 @@ def test_a_browser_gets_a_file_that_leads_on(tmp_path, until, status):
     os.utime(left, (0, 0))
     browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
     browser.chmod(0o755)
+    end_soon(program)
     with running(
-        folder=folder, BROWSER=str(browser), VPYTHON_NO_LAUNCH_BROWSER="", TMPDIR=str(folder)
+        program,
+        folder=folder,
+        BROWSER=str(browser),
+        VPYTHON_NO_LAUNCH_BROWSER="",
+        TMPDIR=str(folder),
     ) as process:
         address = first_lines(process)
         programs.wait_until(lambda: visited.exists() and visited.read_text().endswith("\n"))
@@ -81,6 +86,12 @@ def test_what_a_browser_opens(monkeypatch, name, release, places):
     assert [call.kwargs["args"][0] for call in thread.call_args_list] == places
 
 
+def end_soon(program):
+    """Let the program end as soon as its last tab is closed."""
+    attendance = program.parents[1] / "support" / "page" / "server" / "attendance.py"
+    change(attendance, "CLOSED = 3.0", "CLOSED = 0.1")  # s
+
+
 SESSION = """exec "{python}" -W ignore -i <<'END'
 import runpy, sys
 sys.path[0] = "{folder}/src"
@@ -109,8 +120,7 @@ def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back
     The page shows what a file draws, and that once.
     """
     folder = program.parents[1]
-    site = folder / "support" / "page" / "server" / "attendance.py"
-    change(site, "CLOSED = 3.0", "CLOSED = 0.1")  # s: quickly
+    end_soon(program)
     session = SESSION.format(python=sys.executable, folder=folder)
     with running("-c", session, python="sh") as process:
 

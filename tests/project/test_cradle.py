@@ -1,4 +1,4 @@
-"""The cradles of the programs: options, reloads, release, hits, and mistakes of functions."""
+"""A cradle as main makes it: options, reloads, release, hits, and results that are no cradle."""
 
 import re
 from collections import defaultdict
@@ -6,7 +6,7 @@ from itertools import chain
 from math import nan, radians
 
 import pytest
-from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
+from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, make_live, PERIOD, thetas
 
 from grading.cradles import MIXED_CSV
 from src import special_cradles, visualize_cradle_run
@@ -26,9 +26,8 @@ def values(player, key):
     return player.cradle.values(key)
 
 
-@BOTH
-def test_the_mass_and_e_of_all_survive_a_reload(swing, kind):
-    player = swing(MIXED_CSV, kind=kind, e=0.25, mass=2.0)
+def test_the_mass_and_e_of_all_survive_a_reload(swing):
+    player = swing(MIXED_CSV, e=0.25, mass=2.0)
     assert values(player, "mass") == [2.0] * 3
     assert values(player, "e") == [0.25] * 3
     player.read(FIVE_CSV)
@@ -51,6 +50,11 @@ def test_release_lifts_the_first_pendula_outwards_and_all_are_at_rest(swing, kin
         assert values(player, key) == [0, 0, 0]
 
 
+def test_without_the_function_for_all_bobs_only_upper_ones_of_a_double_cradle_collide(monkeypatch):
+    monkeypatch.delattr("src.double_collisions.handle_two_double_bobs")
+    assert make_live(DoubleCradle).collide_name == "handle_two_bobs"
+
+
 @BOTH
 def test_reach_is_the_distance_from_an_axle_to_the_lowest_bob_at_rest(swing, kind):
     cradle = swing(kind=kind).cradle
@@ -58,7 +62,7 @@ def test_reach_is_the_distance_from_an_axle_to_the_lowest_bob_at_rest(swing, kin
 
 
 @pytest.mark.parametrize("lift", [1, 2])
-@pytest.mark.parametrize(("theta", "phi"), [(45, -120), (0, -14), (0, -20), (10, -40), (30, -110)])
+@pytest.mark.parametrize(("theta", "phi"), [(45, -120), (0, -20), (30, -110)])
 def test_a_release_into_hanging_pendula_pushes_them_aside(swing, lift, theta, phi):
     """Otherwise, inelastic bobs would jump apart. They do not push the lifted one."""
     pend_list = swing(kind=DoubleCradle, angle=theta, phi=phi, lift=lift).cradle.pend_list
@@ -67,11 +71,10 @@ def test_a_release_into_hanging_pendula_pushes_them_aside(swing, lift, theta, ph
         assert [pend_list[0]["theta"], pend_list[0]["phi"]] == pytest.approx(thetas([theta, phi]))
 
 
-@BOTH
-def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, kind):
+def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch):
     """When the first file is back, each pendulum has its first shapes again."""
     monkeypatch.setattr(pendulum, "discarded", defaultdict(list))
-    player = swing(kind=kind)
+    player = swing()
     player.hold(4)
     first = values(player, "objects")
     shapes = [*chain(*first)]
@@ -82,30 +85,24 @@ def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch, ki
         assert shape.visible == any(shape is other for other in reused)
     assert player.held_bob.index is None
     player.read(FIVE_CSV)
-    if kind is Cradle:
-        assert values(player, "objects") == first
+    assert values(player, "objects") == first
 
 
 @pytest.mark.parametrize(
-    ("kind", "separating", "keep_touching"),
-    [(Cradle, True, True), (Cradle, False, False), (DoubleCradle, True, False)],
+    ("kind", "separating"), [(Cradle, False), (Cradle, True), (DoubleCradle, True)]
 )
-def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(
-    swing, kind, separating, keep_touching
-):
-    """With e below 1, bobs keep touching if separating ones collide too."""
+def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind, separating):
+    """With e below 1, the bobs of a single cradle move otherwise if separating ones collide."""
     player = swing(kind=kind, e=0.8)
     same = swing(kind=kind, e=0.8).cradle
     player.next_cradle.separating = separating
-    ticks = round(0.6 * PERIOD / kind.dt)
+    ticks = round(0.4 * PERIOD / kind.dt)
     player.swing(ticks)
     rule = {"approaching_only": not separating} if kind is Cradle else {}
     for _ in range(ticks):
         same.scope[kind.tick_name](same.pend_list, R_PARAM, kind.dt, G, **rule)
     assert player.cradle.coordinates() == same.coordinates()
-    impacts = player.impacts()
-    assert " s  1" in impacts[-1]
-    assert ("keep touching" in " ".join(impacts)) == keep_touching
+    assert " s  1" in player.impacts()[-1]
 
 
 @pytest.mark.parametrize(("kind", "lengths"), [(Cradle, 1), (DoubleCradle, 1.5)])
@@ -117,9 +114,10 @@ def test_the_velocity_of_a_pendulum_is_the_mean_of_its_bobs(swing, kind, lengths
     assert cradle.velocity(pend) == pytest.approx(2.0 * lengths * R_PARAM)
 
 
-@pytest.mark.parametrize(("theta", "phi"), [(30, 0), (60, -50), (10, 120)])
+@pytest.mark.parametrize(("theta", "phi"), [(60, -50), (20, -60)])
 def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi):
-    player = swing(HEADER + "1,1,0,0,red,wood\n" * 2, theta, phi=phi, kind=DoubleCradle)
+    """First of the upper bobs, then of the lower ones."""
+    player = swing(HEADER + GOOD * 2, theta, phi=phi, kind=DoubleCradle)
     while not player.motion.loudest:
         before = distances(player.cradle.pend_list)
         player.swing(1)
@@ -216,7 +214,6 @@ def test_a_raised_bob_that_is_held_falls_by_less_than_a_hundredth_of_a_degree(sw
         (None, None, [10, 10, 0], -2),
         (20, None, [20, 20, 0], 0),
         (None, 3, [10, 10, 10], 0),
-        (5, 1, [5, 0, 0], 0),
     ],
 )
 def test_the_first_picture_shows_the_cradle_as_it_was_made(
@@ -259,18 +256,12 @@ NO_LIST = "must return a list of dictionaries, and main must show it; page.show 
     [
         (MAKE, lambda pend_list: None, f"{NO_LIST}None. Is a return missing?"),
         (MAKE, lambda pend_list: [], f"{NO_LIST}an empty list."),
-        (MAKE, lambda pend_list: (), f"{NO_LIST}a tuple."),
         (MAKE, lambda pend_list: ["pendulum"], f"{NO_LIST}a list."),
-        (
-            MAKE,
-            put("theta", "0"),
-            "set theta of pendulum 2 to '0'; it must be a number up to 1e+100.",
-        ),
-        (MAKE, put("theta", 1e200), "set theta of pendulum 2 to 1e+200; it must be a number "),
+        (MAKE, put("theta", "0"), "set theta of pendulum 2 to '0'; it must be a number "),
+        (MAKE, put("theta", 1e200), "set theta of pendulum 2 to 1e+200; it must"),
         (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple"),
         (MAKE, take_omega, "set omega of pendulum 5 to nothing; it must"),
         (TICK, put("omega", nan), "set omega of pendulum 2 to nan; it must"),
-        (TICK, put("omega", None), "set omega of pendulum 2 to None; it must"),
         (TICK, list.pop, "made 4 pendula from 5; it must keep their number."),
     ],
 )

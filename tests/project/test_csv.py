@@ -29,39 +29,30 @@ NAMES = ", line 1 must name the columns: found "
 # the other texts later.
 REFUSED = {
     "blank": ("\ufeff\ufeff\n  \n\n", ": is empty"),
-    "zero byte at the start": (b"\0", ", line 1: found a zero byte"),
-    "zero byte after a line": (b"\n\0", ", line 2: found a zero byte"),
     "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte", "UTF-8"),
     "latin-1": (b"mass\n1\nros\xe9\n", ", line 3: found byte 0xe9", "UTF-8"),
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit"),
     "large": (" " * 10_000_001, ": cannot be read: found more than 10 MB", "at most 10 MB"),
-    "not too large": (" " * 10_000_000, ": is empty"),
+    "zero bytes, as many as allowed": (b"\0" * 10_000_000, ", line 1: found a zero byte"),
     "too many cells, below a column without a name": (
         "color,texture,mass,e,\nred,metal,1,0,9\n",
         ", line 2: found 5 cells",
         "at most 4, as in line 1; ",
     ),
-    "a separator in line 3": (HEADER + GOOD + "sep=,,,,,\n", ", line 3, column mass: found 'sep='"),
     "header only": (HEADER, ": names columns but has no pendulum"),
     "two columns mass": ("mass,mass\n", f"{NAMES}2 columns mass", "mass, e, color, texture"),
     "no column": ("mass,E,color,texture\n", f"{NAMES}no column e in 'mass', 'E', "),
     "semicolons": ("sep=;\ne;Mass\n", ", line 2 must name", "no column mass in 'e', 'Mass'; "),
     "quotes": ('"mass; e"\n"1;1"\n', NAMES, "in 'mass; e'; ", "the quotes around"),
-    "a title": (f"Cradle; e\n{HEADER}{GOOD}", NAMES, "in 'Cradle', 'e'; "),
     "full-width commas": ("mass\uff0ce\n", NAMES, "fullwidth comma (U+FF0C): type ,"),
     "a long line": ("x" * 1000 + "\n", NAMES, f" '{'x' * 299}...; "),
     "a line as long as in a message": ("x" * 298, NAMES, f" '{'x' * 298}'; "),
     "a workbook": (b"PK\3\4\xff", ": is a workbook"),
     "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook"),
+    "a blank line above": ("\n" + HEADER + "0,1,0,0,red,metal\n", ", line 3, column mass: found"),
     "row too short": (
         HEADER + "1,1,0,0,red\n",
         ", line 2, column texture: found nothing, ",
-        IN_CELL_5,
-    ),
-    "an Arabic comma": (
-        HEADER + "1\u060c1,0,0,red,metal\n",
-        ", line 2, column mass: found '1\u060c1', ",
-        "arabic comma (U+060C): type ,",
         IN_CELL_5,
     ),
     # The row after them, with a cell that is too long for a CSV, is not even read
@@ -178,10 +169,6 @@ READABLE = {
     "a German Excel": "sep=;\r\n" + MIXED_CSV.replace(",", ";").replace(".", ","),
     "tabs": MIXED_CSV.replace(",", "\t"),
     "a minus": MIXED_CSV.replace("-", "\u2212"),
-    "hard spaces": MIXED_CSV.replace(",", "\u00a0,\u00a0") + '""\n\u00a0\n',
-    "another order": "\n".join(
-        ",".join(reversed(line.split(","))) for line in MIXED_CSV.splitlines()
-    ),
 }
 
 
@@ -210,7 +197,7 @@ NUMBERS = st.from_regex(r"\A[0-9]{1,2}(\.[0-9]{0,2})?([eE][+-]?[0-9])?\Z")
 ODD = st.text("0123456789.eE+-x ", min_size=1, max_size=6)
 
 
-@random_examples(100, 1000, text=NUMBERS | ODD)
+@random_examples(50, text=NUMBERS | ODD)
 def test_a_number_for_the_check_is_a_number_for_pandas(text):
     """The check reads the text of a cell itself.
 

@@ -1,14 +1,10 @@
-"""The double cradle: its objects, its laws of motion, and its hits.
-
-test_requirements.py has its page.
-"""
+"""The functions of the double cradle: its objects, its laws of motion, and its hits."""
 
 from itertools import combinations
 from math import inf, nan, pi
 from unittest.mock import patch
 
 import pytest
-from programs import slow_except
 from strategies import BENT_ROWS, DOUBLE_HITS, random_examples, UNEQUAL_ROWS
 from vpython import mag
 from whole_cradles import check_places, distances, energy, hang_double, PERIOD, velocities
@@ -100,7 +96,7 @@ def test_a_tick_has_more_steps_only_if_a_cord_turns_far(monkeypatch):
     assert sum(steps) == pytest.approx(DOUBLE_DT)
 
 
-@pytest.mark.parametrize("rates", [(inf, 0.0), (0.0, nan), (1.0, 1e300)])
+@pytest.mark.parametrize("rates", [(inf, 0.0), (0.0, nan)])
 def test_a_pendulum_that_is_too_fast_is_named(rates):
     message = "^a pendulum with omega = .* and phi_omega = .* rad/s is too fast$"
     with pytest.raises(ValueError, match=message):
@@ -127,7 +123,7 @@ def approach(pair, bobs, direction):
     return (v1 - v2).dot(direction)
 
 
-@random_examples(150, 2000, hit=DOUBLE_HITS)
+@random_examples(100, hit=DOUBLE_HITS)
 def test_touching_bobs_that_approach_separate_with_e_times_their_speed(hit):
     """The energy stays the same at e = 1, and never grows below.
 
@@ -169,7 +165,7 @@ def test_each_two_touching_bobs_of_two_pendula_collide(rates, apart, after):
     assert values(pair, RATES) == pytest.approx(after or rates)
 
 
-@random_examples(50, 250, bent=BENT_ROWS)
+@random_examples(25, bent=BENT_ROWS)
 def test_any_two_bobs_of_two_pendula_touch(bent):
     """Not only those of neighbours, and also an upper bob and a lower one."""
     row = []
@@ -184,10 +180,13 @@ def test_any_two_bobs_of_two_pendula_touch(bent):
     assert touching_pairs(row, R_PARAM) == touching
 
 
-STARTS = [(THETA_INIT, PHI_INIT, 1), (THETA_INIT, PHI_INIT, 10), (-0.8, -0.8, 6), (-1.2, 0.5, 6)]
-
-
-@pytest.mark.parametrize(("theta", "phi", "seconds"), slow_except(STARTS[:1], STARTS))
+@pytest.mark.parametrize(
+    ("theta", "phi", "seconds"),
+    [
+        (THETA_INIT, PHI_INIT, 1),
+        pytest.param(-1.2, 0.5, 6, marks=pytest.mark.slow),
+    ],
+)
 def test_five_elastic_double_pendula_keep_the_energy_and_do_not_pass_through_each_other(
     theta, phi, seconds
 ):
@@ -202,7 +201,7 @@ def test_five_elastic_double_pendula_keep_the_energy_and_do_not_pass_through_eac
     assert hits > 13.5 * seconds / PERIOD
 
 
-@random_examples(2, 15, row=UNEQUAL_ROWS)
+@random_examples(2, row=UNEQUAL_ROWS)
 def test_random_masses_in_the_range_of_a_csv_gain_nothing(row):
     """The masses of neighbours often differ by the largest ratio."""
     theta, phi, bobs = row

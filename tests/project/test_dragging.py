@@ -13,20 +13,16 @@ from support.cradle.dragging import drag_bob, drag_pendulum
 from support.pendulum import cord_angles
 
 
-@pytest.mark.parametrize(
-    ("kind", "bob", "separating"),
-    [(Cradle, 1, False), (Cradle, 1, True), (DoubleCradle, 2, False), (DoubleCradle, 3, False)],
-)
-def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob, separating):
+@pytest.mark.parametrize(("kind", "bob"), [(Cradle, 1), (DoubleCradle, 3)])
+def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob):
     player = swing(kind=kind)
-    player.next_cradle.separating = separating
     player.hold(bob)
     cradle = player.cradle
     masses = player.cradle.values("mass")
     energy = sum(cradle.energies())
     momenta = []
-    for _ in range(100):
-        player.swing(round(0.9 * PERIOD / kind.dt / 100))
+    for _ in range(50):
+        player.swing(round(0.45 * PERIOD / kind.dt / 50))
         momenta.append(cradle.momentum())
         assert player.impacts() == []
         for key in kind.angle_keys:

@@ -1,10 +1,6 @@
-"""Tabs in real browsers, far from the program.
-
-Another port, path or name, TLS, no websocket, a line that breaks.
-"""
+"""The line between a tab in a browser and a far program: a proxy, a cut, an end."""
 
 import asyncio
-import re
 import shutil
 import signal
 import ssl
@@ -21,8 +17,6 @@ from pages import new_page, open_cradle, wait_for_moves
 from programs import end, first_lines, needs_vpython, QUIETLY, running
 from web_client import BELOW
 
-from support.page.server.port import REFUSED
-
 pytestmark = [pytest.mark.browser, *needs_vpython]
 
 ENDED = "The program has ended."
@@ -32,17 +26,14 @@ NO_ANSWER = "The program does not answer."
 class Proxy(threading.Thread):
     """Passes on all data that reach its own port; while is_cut is True, it ends each connection.
 
-    It knows only paths with the prefix, and cuts it off, or not. A websocket passes, is asked as a
-    page, or is never answered.
+    It cuts off the prefix of a path.
     """
 
-    def __init__(self, program_port, prefix, cuts, tls, websocket):
+    def __init__(self, program_port, prefix, tls):
         super().__init__()
         self.program_port = program_port
         self.root = prefix.rstrip("/").encode()
-        self.cut = self.root if cuts else b""
         self.tls = tls
-        self.websocket = websocket
         self.writers = []
         self.is_cut = False
         self.started = SimpleQueue()
@@ -73,19 +64,13 @@ class Proxy(threading.Thread):
             to_browser.transport.abort()
         with suppress(OSError, asyncio.IncompleteReadError, asyncio.CancelledError):
             head = await browser.readuntil(b"\r\n\r\n")
-            if self.websocket == "is never answered" and b"Upgrade: websocket" in head:
-                await self.is_over.wait()
-            if self.websocket == "is asked as a page":
-                head = re.sub(rb"(Upgrade|Connection): .*\r\n", b"", head)
-            is_known = head.split()[1].startswith(self.root)
-            port = self.program_port if is_known else 1  # where nobody answers
             try:
-                program, to_program = await asyncio.open_connection("127.0.0.1", port)
+                program, to_program = await asyncio.open_connection("127.0.0.1", self.program_port)
             except OSError:
                 to_browser.write(b"HTTP/1.1 502 Bad Gateway\r\nContent-Length: 5\r\n\r\nSorry")
                 to_browser.close()
                 return
-            to_program.write(head.replace(b" " + self.cut, b" ", 1))
+            to_program.write(head.replace(b" " + self.root, b" ", 1))
             await asyncio.gather(
                 self.pass_on(browser, to_program), self.pass_on(program, to_browser)
             )
@@ -98,7 +83,7 @@ class Proxy(threading.Thread):
 
 
 @contextmanager
-def far_tab(browser, csv, name="127.0.0.1", prefix="/", cuts=False, tls=None, websocket="passes"):
+def far_tab(browser, csv, name="127.0.0.1", prefix="/", tls=None):
     """Run a program and a Proxy.
 
     Yield the process, a tab, the page's address at the proxy, and the proxy.
@@ -106,7 +91,7 @@ def far_tab(browser, csv, name="127.0.0.1", prefix="/", cuts=False, tls=None, we
     with running(None, str(csv)) as process, new_page(browser, ignore_https_errors=True) as page:
         near = urlsplit(first_lines(process))
         scheme = "https" if tls else "http"
-        proxy = Proxy(near.port, prefix, cuts, tls, websocket)
+        proxy = Proxy(near.port, prefix, tls)
         try:
             yield process, page, f"{scheme}://{name}:{proxy.port}{prefix}?{near.query}", proxy
         finally:
@@ -127,54 +112,34 @@ def tls(tmp_path):
     return context
 
 
-def show_through_a_proxy(chromium, csv, **how):
-    """Open a page through a proxy; it must ask nobody else.
+def test_a_page_moves_through_a_proxy_with_tls_and_another_name_and_path_until_the_end(
+    chromium, csv, tls
+):
+    """It asks nobody else.
 
     When the program has ended, and the proxy answers in its place, the page says so.
     """
     addresses = []
-    with far_tab(chromium, csv, **how) as (process, page, address, _):
+    prefix = BELOW.rstrip("/")  # the page adds the slash
+    with far_tab(chromium, csv, "cradle.localhost", prefix, tls) as (process, page, address, _):
         page.on("request", lambda request: addresses.append(request.url))
         page.on(
             "websocket", lambda websocket: addresses.append(websocket.url.replace("ws", "http", 1))
         )
         open_cradle(page, address)
         wait_for_moves(page)
-        whole = re.sub(r"(?<!/)\?", "/?", address)
+        whole = address.replace("?", "/?")
         assert page.url == whole
         assert any(url.startswith(whole.replace("?", "ws?")) for url in addresses)
         assert all(url.startswith((urljoin(address, "."), "data:", "blob:")) for url in addresses)
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
         page.get_by_text(ENDED).wait_for()
-
-
-@pytest.mark.parametrize(
-    ("prefix", "cuts"),
-    [
-        ("/", False),
-        (BELOW, True),
-        (BELOW, False),
-        (BELOW.rstrip("/"), True),
-        (BELOW.rstrip("/"), False),
-    ],
-)
-def test_a_page_shows_the_moving_bobs_through_a_proxy_at_any_path(chromium, csv, prefix, cuts):
-    show_through_a_proxy(chromium, csv, prefix=prefix, cuts=cuts)
-
-
-def test_a_page_shows_the_moving_bobs_through_tls_at_another_name(chromium, csv, tls):
-    show_through_a_proxy(chromium, csv, name="cradle.localhost", tls=tls)
-
-
-@pytest.mark.parametrize("websocket", ["is asked as a page", "is never answered"])
-def test_a_page_whose_websocket_does_not_come_through_says_so(chromium, csv, websocket):
-    with far_tab(chromium, csv, prefix=BELOW, websocket=websocket) as (_, page, address, _):
-        page.clock.install()
-        page.goto(address)
-        page.clock.run_for("00:15")
-        page.get_by_text("The program runs, but this page does not hear from it.").wait_for()
-        assert page.get_by_text(ENDED).count() == 0
+        command = page.locator(".notice code").inner_text()
+        assert command.endswith(f"src/visualize_cradle_run.py {csv}")
+        # It is pale
+        assert float(page.evaluate("getComputedStyle(one('.canvas')).opacity")) < 0.5
+        assert pages.violations(page) == {}
 
 
 # What a page has of its own: camera, Sound; how often VPython has made something; whether a box
@@ -193,14 +158,13 @@ CHANGE_OWN = """() => {
 }"""
 
 
-@pytest.mark.parametrize("browser", ["chromium", "firefox"])
-def test_a_page_goes_on_by_itself_when_its_line_was_cut(request, csv, browser):
+def test_a_page_goes_on_by_itself_when_its_line_was_cut(chromium, csv):
     """It is not loaded again, nothing is made twice, and the same cradle swings on.
 
     So do a question and Present. A bob that is held swings on at once, though the mouse is still
     down.
     """
-    with far_tab(request.getfixturevalue(browser), csv) as (_, page, address, proxy):
+    with far_tab(chromium, csv) as (_, page, address, proxy):
 
         def cut_for_a_while():
             proxy.set_cut(True)
@@ -241,26 +205,15 @@ PRESS_WHEN_CUT = """WebSocket = class extends WebSocket {
         this.addEventListener("close", () => setTimeout(press));
     }
 }"""
-PRESS_BEFORE_IT_IS_OPEN = PRESS_WHEN_CUT.replace(
-    'this.addEventListener("close", () => setTimeout(press))', "setTimeout(press)"
-)
 
 
-@pytest.mark.parametrize("browser", ["chromium", "firefox"])
-def test_a_key_is_not_lost_in_a_moment_without_a_line(request, csv, browser):
-    with far_tab(request.getfixturevalue(browser), csv) as (_, page, address, proxy):
+def test_in_firefox_a_key_is_not_lost_in_a_moment_without_a_line(firefox, csv):
+    with far_tab(firefox, csv) as (_, page, address, proxy):
         page.add_init_script(PRESS_WHEN_CUT)
         open_cradle(page, address)
         proxy.set_cut(True)
         page.wait_for_function("() => window.isPressed")
         proxy.set_cut(False)
-        pages.button(page, "Run").wait_for()
-
-
-def test_a_key_is_not_lost_before_the_line_is_open(chromium, csv):
-    with far_tab(chromium, csv) as (_, page, address, _):
-        page.add_init_script(PRESS_BEFORE_IT_IS_OPEN)
-        open_cradle(page, address)
         pages.button(page, "Run").wait_for()
 
 
@@ -272,15 +225,3 @@ def test_a_page_does_not_say_that_a_killed_program_has_ended_until_a_new_one_ans
     with running(None, str(csv), "--port", str(urlsplit(page.url).port)) as process:
         first_lines(process)
         page.get_by_text(ENDED).wait_for()
-
-
-def test_chromium_refuses_the_ports_that_the_program_refuses(chromium):
-    """It allows two ports that the standard forbids: 4190 and 6679."""
-    refused = set()
-    with new_page(chromium) as page:
-        devtools = page.context.new_cdp_session(page)
-        for port in REFUSED:
-            answer = devtools.send("Page.navigate", {"url": f"http://127.0.0.1:{port}/"})
-            if answer.get("errorText") == "net::ERR_UNSAFE_PORT":
-                refused.add(port)
-    assert REFUSED - refused <= {4190, 6679}

@@ -6,7 +6,7 @@ import re
 from unittest.mock import Mock, patch
 
 import pytest
-from programs import on_posix, ROOT, running
+from programs import on_posix, ROOT
 from whole_cradles import FIVE_CSV, HEADER
 
 from grading.cradles import MIXED, MIXED_CSV
@@ -74,44 +74,20 @@ def test_a_full_disk_leaves_the_old_file_and_nothing_else(step, csv, monkeypatch
     assert contents(csv.parent) == {"cradle.csv": FIVE_CSV}
 
 
-HALF = """
-import sys, time
-from support.files.data_file import whole_file
-with whole_file(sys.argv[1]) as file:
-    file.write("half \\u03c9")
-    file.flush()
-    print("half", flush=True)
-    time.sleep(1000)
-"""
-
-
-@on_posix
-def test_a_killed_program_leaves_the_old_file_and_a_hidden_part_that_git_does_not_see(csv):
-    """The part is UTF-8, also if the locale is another one.
-
-    A program that writes later does not need its name.
-    """
-    c_locale = {"LC_ALL": "C", "PYTHONCOERCECLOCALE": "0", "PYTHONUTF8": "0"}
-    with running("-c", HALF, csv, folder=ROOT, **c_locale) as process:
-        assert process.stdout.readline() == "half\n"
-    write_to_csv(MIXED[:1], csv)
-    files = contents(csv.parent)
-    [part] = files.keys() - {"cradle.csv"}
-    assert re.fullmatch(r"\.cradle\.csv\.[0-9a-f]{8}\.tmp", part)
-    assert ".*.tmp" in (ROOT / ".gitignore").read_text().split()
-    assert files[part] == "half \u03c9"
-    assert extract_and_convert(csv) == MIXED[:1]
-
-
 def test_the_name_stays_with_the_old_file_until_the_new_one_is_complete_and_on_the_disk(
     csv, monkeypatch
 ):
+    """The new one is hidden, and git does not see it; no other program writes the same one."""
     synced = []
     monkeypatch.setattr(
         "os.fsync", lambda number: synced.append((csv.read_text(), os.fstat(number).st_size))
     )
     with whole_file(csv) as new:
         new.write("new")
+        assert new.encoding == "utf-8"  # in any locale
+        [part] = contents(csv.parent).keys() - {"cradle.csv"}
+    assert re.fullmatch(r"\.cradle\.csv\.[0-9a-f]{8}\.tmp", part)
+    assert ".*.tmp" in (ROOT / ".gitignore").read_text().split()
     assert synced == [(FIVE_CSV, 3)]
     assert contents(csv.parent) == {"cradle.csv": "new"}
 

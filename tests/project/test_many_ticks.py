@@ -8,7 +8,7 @@ from types import SimpleNamespace
 
 import pytest
 from hypothesis import example
-from programs import OF_TESTS, python, slow_except, with_vpython
+from programs import OF_TESTS, python, with_vpython
 from strategies import CALLS, DT, G, HAIRS, NEIGHBOURS, pendulum_rows, random_examples
 from vpython import mag, vector
 from whole_cradles import do_at_once, do_one_by_one
@@ -65,7 +65,7 @@ def same_hits(pendula, **call):
     assert state(at_once) == state(one_by_one)
 
 
-@random_examples(40, 150, pendula=pendulum_rows(), call=CALLS)
+@random_examples(40, 80, pendula=pendulum_rows(), call=CALLS)
 def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(pendula, call):
     same_hits(pendula, **call)
 
@@ -116,28 +116,28 @@ def test_whole_numbers_and_zeros_of_both_signs_end_in_the_same_bits(theta, omega
 
 
 ON_VPYTHON = """
-import sys, vpython
+import vpython
 vpython.baseObj._view_constructed = True  # "the page is there": no server, no browser
 import test_many_ticks as tests
 
 tests.module.DIGEST = tests.digest_now()
-count = int(sys.argv[1])
-tests.test_random_cradles_end_in_the_same_bits_as_after_single_ticks(count)
-tests.test_bobs_that_swing_side_by_side_a_hair_from_touching_end_in_the_same_bits(count)
-tests.test_bobs_that_just_touch_after_one_tick_end_in_the_same_bits(5 * count)
+tests.test_random_cradles_end_in_the_same_bits_as_after_single_ticks(10)
+tests.test_bobs_that_swing_side_by_side_a_hair_from_touching_end_in_the_same_bits(10)
+tests.test_bobs_that_just_touch_after_one_tick_end_in_the_same_bits(50)
 """
 
 
 @with_vpython
-@pytest.mark.parametrize("count", slow_except([10], [10, 40]))
-def test_cradles_of_vpython_itself_end_in_the_same_bits(count):
-    done = python("-c", ON_VPYTHON, count, **OF_TESTS)
+def test_cradles_of_vpython_itself_end_in_the_same_bits():
+    done = python("-c", ON_VPYTHON, **OF_TESTS)
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize(("gap", "is_free"), [(1e-11, False), (1e-3, True)])
-def test_no_tick_is_free_if_rounding_could_close_the_gap(gap, is_free):
-    assert (free_ticks(gap, 0, 0, 0, 0, R, DT, G) > 0) == is_free
+@pytest.mark.parametrize(
+    ("gap", "omega", "is_free"), [(1e-11, 0, False), (1e-9, 1e6, False), (1e-9, 0, True)]
+)
+def test_no_tick_is_free_if_rounding_could_close_the_gap(gap, omega, is_free):
+    assert (free_ticks(gap, 0, 0, omega, omega, R, DT, G) > 0) == is_free
 
 
 # --- the fast path steps back -------------------------------------------------------------------
@@ -174,24 +174,16 @@ SWING = "    omega_new = omega - g * sin(theta) / r_param * dt\n"
 @pytest.mark.parametrize(
     ("old", "new", "is_same"),
     [
-        ("\n", "\r\n", True),
-        ("\n\ndef ", "\n# a comment\n\ndef ", True),
         ('    """Return (omega_new', '    """Return the new (omega_new', True),
-        (
-            SWING,
-            SWING.replace("omega - g", "(\n        omega - g").replace("dt\n", "dt\n    )\n"),
-            True,
-        ),
         (SWING, SWING.replace("_new", "_new: float"), True),
         ("angle_update(omega", "angle_update(omega: float", True),
         ("from math import sin", "from math import pi, sin\n\nTURN: float = 2 * pi", True),
         (SWING, SWING.replace("dt", "dt + 0"), False),
-        ("def swing_update", "@print\ndef swing_update", False),
         ("(omega, theta, r_param, dt, g)", "(omega, theta, r_param, dt, g=10)", False),
     ],
 )
 def test_the_digest_is_of_the_code_of_the_functions(old, new, is_same):
-    """A comment, a docstring, a line break, a type and a name for other code change nothing."""
+    """A docstring, a type and a name for other code change nothing."""
     pendulums, swings, run = module.texts_of_files()
     assert old in swings
     changed = [pendulums, swings.replace(old, new), run]
@@ -202,16 +194,10 @@ def test_the_digest_is_of_the_code_of_the_functions(old, new, is_same):
     "place",
     [
         "src.visualize_cradle_run.main",
-        "src.visualize_cradle_run.newton_cradle_tick",
-        "src.visualize_cradle_run.full_swing_update",
         "src.visualize_cradle_run.handle_two_bobs",
-        "src.visualize_cradle_run.handle_collision",
         "src.visualize_cradle_run.mag",
         "src.visualize_cradle_run.cos",
         "src.visualize_cradle_run.pairwise",
-        "src.swinging.swing_update",
-        "src.swinging.angle_update",
-        "src.swinging.show_pendulum",
         "src.swinging.sin",
         "support.pendulum.arm",
         "support.pendulum.vector",

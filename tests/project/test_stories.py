@@ -27,16 +27,6 @@ def story_of(function):
 
 # A function, a wrong version, the line that is certain ("" without one), and parts of the screen
 STORIES = {
-    "Python's own list hidden": (
-        "extract_and_convert",
-        """\
-        list = []
-        bad_rep = pd.read_csv(relative_filepath).to_dict(orient='index')
-        for pend in list(bad_rep.values()): list.append(pend)
-        return list""",
-        "4",
-        ["list is [ ], empty, a list: line 2 gave it this value; Python's own list has this name"],
-    ),
     "an argument changed": (
         "make_double_pendulum",
         """\
@@ -82,16 +72,6 @@ STORIES = {
         return omega, theta + omega * dt""",
         "3",
         ["-14.2975 <- -10 is right here", "acceleration = -10, omega_new = 2"],
-    ),
-    "degrees alone": (
-        "angle_update",
-        """\
-        angle = theta * 180 / 3.141592653589793
-        acceleration = -g * sin(angle) / r_param
-        omega = omega + acceleration * dt
-        return omega, theta + omega * dt""",
-        "2",
-        ["150 <- 2.61799 is right here"],
     ),
     "a right value, used wrongly": (
         "angle_update",
@@ -209,7 +189,7 @@ def test_the_story_says_what_was_seen(solve, monkeypatch, name):
 WATCHED = [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])]
 
 
-@pytest.mark.parametrize(("function", "way"), slow_except(WATCHED[::4], WATCHED))
+@pytest.mark.parametrize(("function", "way"), slow_except(WATCHED[::16], WATCHED[::4]))
 def test_a_watched_function_does_what_it_does_unwatched(solve, function, way):
     solve(function, RIGHT[function].get(way, PLAIN[function]))
     watch = Watch()
@@ -227,7 +207,7 @@ print(1.05, "and never")
 """
 
 
-@pytest.mark.parametrize(("function", "words"), slow_except([*WRONG][::9], WRONG))
+@pytest.mark.parametrize(("function", "words"), slow_except([*WRONG][::36], [*WRONG][::9]))
 def test_harmless_lines_change_no_word(solve, function, words):
     version = WRONG[function, words]
     source = dedent(version if isinstance(version, str) else PLAIN[function].replace(*version))
@@ -257,7 +237,7 @@ def test_an_endless_loop_is_shown_at_its_line_and_its_prints_appear_once(
 
 
 def test_a_right_value_with_which_the_function_never_ends_is_no_mark(solve, monkeypatch):
-    monkeypatch.setattr(limits, "PATIENCE", 0.5)
+    monkeypatch.setattr(limits, "PATIENCE", 0.3)
     solve("angle_update", "a = 7\nwhile a == -10: pass\nreturn omega + a * dt, theta")
     _, screen = story_of("angle_update")
     assert "omega_new is 3.7, not 2." in screen

@@ -1,4 +1,4 @@
-"""What each tab still has to get: merged, bounded, and nothing lost; and which tab drags a bob."""
+"""What each tab still has to get, and what the program takes from it, without a network."""
 
 import json
 from fractions import Fraction
@@ -19,8 +19,6 @@ WOOD = {"idx": 1, "texture": {"file": "wood_texture.jpg"}}
 @pytest.mark.parametrize(
     ("deliveries", "merged"),
     [
-        # Objects are made in their order.
-        ([[CANVAS], [SPHERE]], [CANVAS, SPHERE]),
         # A shape is made with its last texture: glow.min.js mixes up two that it loads.
         ([[SPHERE, CANVAS], [WOOD]], [{**SPHERE, **WOOD}, CANVAS]),
         # The last value of each attribute: object 12 is not object 1, and a1... is not b1...
@@ -73,14 +71,13 @@ def open_tab(tabs, name, *messages):
     return messages
 
 
-@pytest.mark.parametrize("message", ["NameError", ""])
-def test_a_full_tab_hears_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs, message):
+def test_a_full_tab_hears_of_the_end_at_once_and_any_number_can_be_in_the_state(tabs):
     sent = open_tab(tabs, 1)
     for number in range(MOST_MESSAGES):
         tabs.show({"t": Fraction(number, 2)})
-    tabs.show({"ended": message})
+    tabs.show({"ended": ""})
     assert sent[1]["state"] == {"t": 0.5}
-    assert sent[-1]["state"] == {"ended": message}
+    assert sent[-1]["state"] == {"ended": ""}
 
 
 @pytest.mark.parametrize(("size", "most"), [(1, 24), (2**16, 4), (2**19, 1)])
@@ -206,10 +203,8 @@ def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(mon
             "1 drag, 1 grab, 2 grab, 2 drag, 2 let_go, 1 drag, 1 let_go, 1 drag",
             "grab, drag, let_go",
         ),
-        ("1 grab, 1 let_go, 2 grab, 1 drag, 2 drag", "grab, let_go, grab, drag"),
-        ("1 grab, 2 closes, 1 drag, 1 closes", "grab, drag, let_go"),
         # The viewer refuses what it does not know
-        ("1 grab, 2 pause, 2 no command", "grab, pause, no command"),
+        ("1 grab, 2 no command, 2 closes, 1 drag, 1 closes", "grab, no command, drag, let_go"),
     ],
 )
 def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_closed(
@@ -226,13 +221,9 @@ def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_
     assert given(tabs) == commands.split(", ")
 
 
-RUBBISH = [b"", b"[", b"{}", b"[]", b"5", b"\0", b"\xff", b"[" * 60_000]
-RUBBISH += [b'["speed",' + b"9" * 5000 + b"]"]
-
-
 def test_what_is_no_command_is_forgotten(tabs):
     """test_table.py has commands that the viewer refuses."""
     open_tab(tabs, 1)
-    for message in RUBBISH:
+    for message in (b"[", b"[]", b"5", b"\xff", b"[" * 60_000):
         tabs.receive(1, message)
     assert given(tabs) == []

@@ -1,7 +1,4 @@
-"""The viewer and its state on the stand-in; test_graph.py has its graph.
-
-Time passes only when a test moves its own clock.
-"""
+"""Each frame of the page: its pace and pauses, its sound, its first and last picture, its texts."""
 
 from unittest.mock import Mock
 
@@ -13,14 +10,13 @@ from src import visualize_cradle_run
 from support.constants import G, R_PARAM
 from support.cradle.player import run
 from support.cradle.real_time import FRAME
-from support.files.cradle_csv import POLL
 
 TWO = "Two bobs"
 
 
 def test_pause_and_run(rig):
     """A command only queues: it comes in another thread, in the middle of a tick."""
-    rig.wait(1)
+    rig.wait(0.5)
     rig.give("pause")
     paused = dict(rig.state)
     assert not paused["running"]
@@ -29,43 +25,27 @@ def test_pause_and_run(rig):
     assert rig.state == paused  # so nothing is sent
     rig.tell("pause")
     assert not rig.viewer.playback.is_running()
-    rig.wait(1)
+    rig.wait(0.5)
     assert rig.state["running"]
     # The simulation does not catch up after the pause
-    assert rig.time() == pytest.approx(2, abs=4 * FRAME)
+    assert rig.time() == pytest.approx(1, abs=4 * FRAME)
 
 
-@pytest.mark.parametrize("speed", [0.1, 2])
-def test_speed_and_slow_motion(rig, speed):
+def test_speed_and_slow_motion(rig):
     """A step moves the cradle by one frame, but only while it is paused."""
-    rig.give("speed", speed)
-    rig.wait(2)
-    assert rig.state["speed"] == speed
-    assert rig.time() == pytest.approx(2 * speed, abs=0.05 * speed)
+    rig.give("speed", 0.1)
+    rig.wait(1)
+    assert rig.state["speed"] == 0.1
+    assert rig.time() == pytest.approx(0.1, abs=0.005)
     rig.viewer.pace.kept_up = 0.4
     rig.wait()
-    assert rig.state["motion"]["t"].endswith(f" s\n{0.4 * speed:.2g}x real time")
+    assert rig.state["motion"]["t"].endswith(" s\n0.04x real time")
     ticks = rig.viewer.motion.ticks
     rig.give("step")
     assert rig.viewer.motion.ticks == ticks
     rig.give("pause")
     rig.give("step")
-    assert rig.viewer.motion.ticks - ticks == round(speed * FRAME / rig.cradle.dt)
-
-
-def test_settings_stay_after_a_restart_and_for_a_saved_csv(rig):
-    """Also while paused."""
-    rig.wait(0.1)
-    settings = {"speed": 0.5, "separating": True, "e": 0, "running": False}
-    for name in ("speed", "separating", "e"):
-        rig.give(name, settings[name])
-    rig.give("pause")
-    rig.give("restart")
-    assert rig.state == rig.state | settings
-    rig.save(HEADER + GOOD * 3)
-    assert rig.state == rig.state | settings
-    assert rig.values("e") == [0] * 3
-    assert rig.time() == 0
+    assert rig.viewer.motion.ticks - ticks == round(0.1 * FRAME / rig.cradle.dt)
 
 
 def test_numbers_change_ten_times_a_second_and_what_is_in_step_with_the_bobs_in_each_frame(rig):
@@ -82,11 +62,11 @@ def test_numbers_change_ten_times_a_second_and_what_is_in_step_with_the_bobs_in_
 def test_while_no_tab_has_room_nothing_is_shown_and_no_hit_is_lost(rig):
     rig.tabs.have_room = lambda: False
     before = dict(rig.state)
-    rig.wait(2)
+    rig.wait(1)
     assert rig.state == before  # it would only wait
     rig.tabs.have_room = lambda: True
     rig.wait()
-    assert rig.state["sound"]["count"] == 4  # a hit in each half of a period, 0.9 s
+    assert rig.state["sound"]["count"] == 2  # a hit in each half of a period, 0.9 s
 
 
 def test_a_hit_is_heard_with_its_speed_and_bobs_that_rest_on_each_other_are_not(rig):
@@ -98,7 +78,7 @@ def test_a_hit_is_heard_with_its_speed_and_bobs_that_rest_on_each_other_are_not(
     rig.give("lifted", 0)
     sound = rig.state["sound"]
     rig.cradle.pend_list[0]["omega"] = 0.02  # rad/s: 4 mm/s
-    rig.wait(2)
+    rig.wait(1)
     assert rig.state["sound"] == sound
 
 
@@ -120,11 +100,8 @@ def test_the_first_cradle_is_released_when_a_tab_has_drawn_it(rig):
     assert rig.viewer.motion.ticks == 0
 
 
-@pytest.mark.parametrize("is_paused", [False, True])
-def test_the_loop_ends_when_the_last_tab_is_closed(rig, is_paused):
+def test_the_loop_ends_when_the_last_tab_is_closed(rig):
     """Also if no tab has drawn a picture."""
-    if is_paused:
-        rig.give("pause")
     rig.tabs.is_seen.clear()
     rig.tabs.are_gone = True
     rig.viewer.pace.sleep = Mock(side_effect=[None] * 3)
@@ -133,13 +110,20 @@ def test_the_loop_ends_when_the_last_tab_is_closed(rig, is_paused):
     assert rig.viewer.is_over
 
 
-def test_a_saved_csv_makes_a_new_cradle(rig):
-    rig.wait(1)
+def test_a_saved_csv_makes_a_new_cradle_and_the_settings_stay(rig):
+    """Also while paused."""
+    settings = {"speed": 0.5, "separating": True, "e": 0}
+    for name, value in settings.items():
+        rig.give(name, value)
     rig.give("lifted", 3)
+    rig.wait(0.1)
+    rig.give("pause")
     rig.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
+    assert rig.state == rig.state | settings
+    assert not rig.state["running"]
     assert rig.values("mass") == [2, 2]
     assert rig.state["lifted"] == rig.control("lifted")["max"] == 2
-    assert rig.time() < 3 * POLL
+    assert rig.time() == 0
     rig.save(FIVE_CSV)
     assert rig.state["lifted"] == 3  # the old settings, where they are possible again
 
@@ -204,7 +188,6 @@ def test_the_page_says_that_gravity_and_the_cord_are_constants_and_where(rig):
     words = rig.state["constants"]
     assert words.startswith(f"Gravity (G = {G} m/s^2), the length of a cord (R_PARAM = {R_PARAM} ")
     assert " are constants of the program, in support/constants.py. The page cannot " in words
-    assert words.endswith(": main has the handout's line, which takes them from there.")
 
 
 def test_the_impacts_until_a_restart(rig):
@@ -212,7 +195,6 @@ def test_the_impacts_until_a_restart(rig):
     last, first = rig.state["impacts"]
     assert last.endswith(" s  5-4-3-2-1")
     assert first.startswith(f"t = {PERIOD / 4:.1f}")
-    assert first.endswith(" s  1-2-3-4-5")
     rig.give("restart")
     assert rig.time() == 0
     assert rig.bob_angles() == [30, 0, 0, 0, 0]

@@ -9,6 +9,25 @@ from programs import python, ROOT, with_vpython
 
 from support.page.vpython_inside import NEED_ITS_PAGE
 
+# What the page uses of VPython's script
+IN_GLOW = [
+    "$.plot=",
+    ".color.parse=",
+    "__update:function(ev)",
+    "__canvas_element=",
+    "__overlay_element=",
+    "window.__context",
+    "window.Jupyter_VPython",
+    "glowscript-canvas-wrapper",
+    "userspin:",
+    ".resizable(",
+    'trigger("draw_complete"',
+    'cvs.waitfor_textures=false;cvs.trigger("textures"',
+    "userzoom:",
+    "tickLabel",
+    "legendColorBox",
+]
+
 CHECK = f"""
 import json, sys
 from vpython import vpython
@@ -46,6 +65,7 @@ def test_the_private_names_of_vpython_are_there_and_do_what_the_page_needs():
     assert third == {}
     assert {"jquery.min.js", "wood_texture.jpg"} <= files.keys()
     assert files["vpython.js"].startswith("window.__GSlang =")
-    for function in ("function handler(", "function decode("):
+    for function in ("var glowObjs", "function handler(data)", "function decode(data)"):
         assert function in files["vpython.js"]
+    assert [name for name in IN_GLOW if name not in files["glow.min.js"]] == []
     assert 'eval("0")' not in files["glow.min.js"]

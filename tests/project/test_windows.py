@@ -1,4 +1,4 @@
-"""The shared page in windows of all sizes, on paper, in dark and light, and under fingers."""
+"""What a window, paper, a system, a browser and fingers change: cradle, text and colors follow."""
 
 import pages
 import programs
@@ -8,7 +8,7 @@ from pages import bob_angles, pause, pixel, slide, wait_for_angles
 from programs import wait_until
 from shared_page import ASK, edges, is_whole, printed, wait_for_text
 
-PHONE, TABLET, LAPTOP, BOARD = (390, 844), (768, 1024), (1366, 625), (2560, 1440)
+PHONE, LAPTOP, BOARD = (390, 844), (1366, 625), (2560, 1440)
 FRAME = (700, 200)  # in a course page
 
 # At once: it is replaced
@@ -38,7 +38,7 @@ def is_whole_after_scrolling(page, selector):
     return is_whole(page, selector)
 
 
-@pytest.mark.parametrize("size", [PHONE, TABLET, LAPTOP, BOARD, FRAME])
+@pytest.mark.parametrize("size", [PHONE, LAPTOP, FRAME])
 def test_the_whole_swing_is_in_view(at_rest, size):
     resize(at_rest, size)
     assert is_whole(at_rest, "canvas")
@@ -49,9 +49,8 @@ def test_the_whole_swing_is_in_view(at_rest, size):
     wait_until(lambda: edges(at_rest, ".graph")[2] <= size[0])
 
 
-@pytest.mark.parametrize("size", [PHONE, TABLET])
-def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_rest(at_rest, size):
-    resize(at_rest, size)
+def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_rest(at_rest):
+    resize(at_rest, PHONE)
     for name in ("Run", "Step", "Restart"):
         assert is_whole(at_rest, f".controls button:has-text('{name}')")
     at_rest.locator(".programmers summary").click()
@@ -60,15 +59,14 @@ def test_a_tall_window_has_the_buttons_in_view_and_scrolls_up_and_down_to_the_re
     assert at_rest.evaluate("(e => e.scrollWidth - e.clientWidth)(one('.panel'))") == 0
 
 
-@pytest.mark.parametrize("size", [LAPTOP, BOARD])
-def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest, size):
-    resize(at_rest, size)
+def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest):
+    resize(at_rest, BOARD)
     assert at_rest.evaluate("(e => e.scrollHeight - e.clientHeight)(one('.panel'))") == 0
     for selector in (".readout", ".graph select", "summary", ".head"):
         assert is_whole(at_rest, selector)
     apart = pixel(at_rest, 4, 0)[0] - pixel(at_rest, 3, 0)[0]
-    assert 0.95 * apart >= 60 / 1366 * size[0]  # the width of a bob
-    assert at_rest.evaluate(LETTERS) >= 0.022 * size[1]
+    assert 0.95 * apart >= 60 / 1366 * BOARD[0]  # the width of a bob
+    assert at_rest.evaluate(LETTERS) >= 0.022 * BOARD[1]
 
 
 # What is there on paper, from above, and the color of the last curve in the legend.
@@ -126,13 +124,11 @@ IS_DARK = """isDark => {
 }"""
 
 
-@pytest.mark.parametrize("scheme", ["dark", "light"])
-def test_the_panel_and_the_canvas_are_as_dark_as_the_system(at_rest, scheme):
-    at_rest.emulate_media(color_scheme=scheme)
-    at_rest.wait_for_function(IS_DARK, arg=scheme == "dark")
-
-
-def test_the_curves_keep_their_colors_where_the_system_forces_its_own(at_rest):
+def test_panel_and_canvas_are_as_dark_as_the_system_and_curves_keep_their_colors(at_rest):
+    """Also where the system forces its own colors."""
+    for scheme in ("dark", "light"):
+        at_rest.emulate_media(color_scheme=scheme)
+        at_rest.wait_for_function(IS_DARK, arg=scheme == "dark")
     at_rest.emulate_media(forced_colors="active")
     legend = at_rest.evaluate(
         "find('.legendColorBox div div').map(e => getComputedStyle(e).borderColor)"
@@ -172,6 +168,18 @@ def test_one_finger_drags_a_bob_or_turns_the_camera_and_two_zoom(at_rest):
     wait_until(lambda: view()[1] != size)
     at_rest.evaluate("glowObjs[0].forward = vec(0, 0.5, -1)")
     at_rest.wait_for_function("() => glowObjs[0].forward.y === 0")  # never below the base
+
+
+def test_a_page_that_hears_nothing_by_its_websocket_says_so(shared):
+    """A proxy may let pass all but that."""
+    with pages.new_page(shared.context.browser) as deaf:
+        # It never opens
+        deaf.add_init_script("WebSocket = class { static OPEN = 1; close() {} }")
+        deaf.clock.install()
+        deaf.goto(shared.url)
+        deaf.clock.run_for("00:12")
+        wait_for_text(deaf, "The program runs, but this page does not hear from it.")
+        assert deaf.get_by_text("The program has ended.").count() == 0
 
 
 def test_a_browser_without_webgl_is_offered_the_terminal_cradle(driver, shared):
