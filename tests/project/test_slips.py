@@ -21,9 +21,11 @@ HIDING = {  # a file of a project, and the beginning of the line about it
 
 @pytest.mark.parametrize("file", HIDING)
 def test_a_file_that_hides_a_module_is_named(tmp_path, file):
-    folders = [put_files(tmp_path, {f"{name}/_": ""}) / name for name in ("src", "tests")]
+    for name in ("src", "tests"):
+        (tmp_path / name).mkdir()
     put_files(tmp_path, {file: ""})
-    line = hidden_module(str(tmp_path), [*map(str, folders), str(tmp_path)])
+    python_path = [str(tmp_path), str(tmp_path / "src"), str(tmp_path / "tests")]
+    line = hidden_module(str(tmp_path), python_path)
     assert line.replace("\\", "/").startswith(HIDING[file])
     assert bool(line) == bool(HIDING[file])
 
@@ -34,7 +36,7 @@ def require_line(line, done):
     assert "Traceback" not in done.stderr
 
 
-def test_pytest_says_so_too(starter):
+def test_pytest_names_a_file_that_hides_a_module(starter):
     put_files(starter, {"json.py": ""})
     line = "json.py hides the module json from Python and its packages."
     require_line(line, python(*PYTEST.split(), folder=starter))
