@@ -1,15 +1,8 @@
 """The pace of a simulation, in step with the clock."""
 
-import sys
 import time
 from collections.abc import Callable
 from math import inf
-
-# On older Pythons, a sleep ends with a tick of Windows, each 15.6 ms.
-if sys.platform == "win32" and sys.version_info < (3, 11):
-    import ctypes
-
-    ctypes.windll.winmm.timeBeginPeriod(1)  # ms
 
 FRAME = 1 / 60  # s: a browser draws about sixty pictures a second
 # s of a frame, after which no tick begins: the threads that serve the page need the rest.

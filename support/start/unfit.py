@@ -15,9 +15,9 @@ def refuse_unfit() -> None:
 
     Python may be too old, its folder may be gone, or a file may hide a module.
     """
-    if sys.version_info < (3, 10):  # noqa: UP036
+    if sys.version_info < (3, 11):  # noqa: UP036
         sys.exit(
-            f"Newton's cradle needs Python 3.10 or later; "
+            f"Newton's cradle needs Python 3.11 or later; "
             f"{sys.executable} is {sys.version.split()[0]}."
         )
     message = missing_working_folder() or hidden_module(ROOT, sys.path)

@@ -29,7 +29,7 @@ from line_by_line.traces import LOOPS, Statement
 from line_by_line.watch import Watch
 
 WATCH = "__watch__"  # the name under which the changed code finds the Watch
-TRIES = ast.Try, getattr(ast, "TryStar", ast.Try)  # except* is there from Python 3.11 on
+TRIES = ast.Try, ast.TryStar
 STORING = ast.Assign, ast.AugAssign, ast.AnnAssign, ast.Expr
 DEFINITIONS = ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef
 

@@ -32,7 +32,7 @@ def require_stopped(message):
     ("body", "patience", "message"),
     [
         ("import time; time.sleep(100)", 0.03, "waited longer than 0.3 s"),
-        # Python 3.11 catches nothing in a loop right below try.
+        # Python catches nothing in a loop right below try.
         (
             "try:\n omega = 0\n while True: omega += 1\nexcept: pass\nwhile True: pass",
             0.3,

@@ -97,7 +97,7 @@ UNSET = "First unset PYTHONPATH, which is /other. Install the packages as README
 @pytest.mark.parametrize(
     ("obstacle", "status", "part"),
     [
-        (OLD, 1, "needs Python 3.10 or later"),
+        (OLD, 1, "needs Python 3.11 or later"),
         (BARE, 1, ": No module named 'vpython'. First unset PYTHONPATH"),
         pytest.param(GONE, 2, "The folder in which you started Python is gone.", marks=on_posix),
         pytest.param(NO_NUMPY, 1, UNSET, marks=with_vpython),
