@@ -6,8 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from support.headless_vector import nothing
-
-SRC = Path(__file__).resolve().parents[1] / "src"
+from support.root import SRC
 
 calls: dict[tuple[str, int], str] = {}  # the name of what was called, by the file and line
 

@@ -7,13 +7,13 @@ from functools import cache
 from hashlib import sha256
 from itertools import pairwise
 from math import cos, isfinite, sin
-from pathlib import Path
 from types import CodeType, FunctionType
 from typing import Any, NamedTuple
 
 from vpython import box, cylinder, mag, sphere, vector
 
 from support.pendulum import contact_distance, Pendulum
+from support.root import ROOT
 
 FARTHEST = 1e5  # cord lengths from the origin: farther away, a place has too large rounding errors
 
@@ -59,8 +59,7 @@ NO_CODE = {"annotation", "kind", "returns", "type_comment", "type_params"}
 
 def texts_of_files() -> list[str]:
     """Return the text of each of FILES, with any line ends."""
-    root = Path(__file__).parents[2]
-    return [(root / file).read_text(encoding="utf-8") for file in FILES]
+    return [(ROOT / file).read_text(encoding="utf-8") for file in FILES]
 
 
 def digest_of(texts: list[str]) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-SRC = Path(__file__).resolve().parents[2] / "src"
+from support.root import SRC
 
 Names = dict[str, Any]  # the names of a module, with their values
 

@@ -19,7 +19,6 @@ from stat import S_ISREG
 from typing import Any, NamedTuple
 
 from support.columns import to_number
-from support.signs import MINUS, odd_sign
 
 LARGEST_FILE = 10_000_000  # bytes of a file
 POLL = 0.2  # s between two looks at a file while you edit it
@@ -151,8 +150,7 @@ class Snapshot:
         DOS may end it with ^Z, 0x1a.
         """
         if self.error:
-            hint = odd_sign(str(self)) if isinstance(self.error, FileNotFoundError) else ""
-            raise ValueError(f"{self}: cannot be read: {reason(self.error)}{hint}") from self.error
+            raise ValueError(f"{self}: cannot be read: {reason(self.error)}") from self.error
         if self.data.startswith(WORKBOOKS):
             raise ValueError(
                 f"{self}: is a workbook; open it in Excel or the like, and save it as CSV"
@@ -183,7 +181,7 @@ def plain_cell(text: str, separator: str) -> str:
 
     It can have a decimal comma if something else separates cells.
     """
-    number = text.replace(MINUS, "-")
+    number = text.replace("\u2212", "-")
     if separator != ",":
         number = number.replace(",", ".")
     return number if isfinite(to_number(number)) else text

@@ -11,9 +11,10 @@ from typing import NamedTuple
 from support.columns import CHECKED, COLUMNS, SETTABLE, to_number
 from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE, MOST_PENDULA
-from support.signs import found
+from support.found import found
+from support.root import ROOT
 
-EXPERIMENTS = Path(__file__).resolve().parents[1] / "experiments"
+EXPERIMENTS = ROOT / "support" / "experiments"
 
 # The names of lines; the other lines are answers.
 CRADLE = ["name", "theta", "phi", *SETTABLE]

@@ -18,8 +18,8 @@ import numpy as np
 
 from support.columns import to_number
 from support.files.cradle_csv import plain_cell, separator_in, Snapshot
+from support.found import found, in_short
 from support.pendulum import cord_angles, Pendulum
-from support.signs import found, in_short
 
 # The units of a time (s) and of an angle (rad), by their names in a file
 UNITS = dict.fromkeys((None, "s", "sec", "seconds", "rad", "radians"), 1.0)

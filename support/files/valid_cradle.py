@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from support.columns import CHECKED, to_number
 from support.files.cradle_csv import CsvRow, naming, SEPARATOR, Snapshot
-from support.signs import found, in_short, odd_sign
+from support.found import found, in_short
 
 MOST_PENDULA = 1000  # of a cradle
 
@@ -63,7 +63,7 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
 
 def require_columns(place: str, names: list[str]) -> None:
     """Raise a ValueError if the names at this place lack a column of a cradle, or repeat one."""
-    hint = odd_sign("".join(names))
+    hint = ""
     if len(names) == 1 and SEPARATOR.search(names[0]):
         hint = "; delete the quotes around each line"
     for column in CHECKED:

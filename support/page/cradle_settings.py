@@ -13,7 +13,6 @@ from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE
 from support.page.chooser import Chooser
 from support.page.names import State
 from support.pendulum import angle_to_outwards, outwards_to_angle
-from support.signs import odd_sign
 
 Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
 
@@ -118,7 +117,7 @@ class CradleSettings:
             edited = with_numbers(self.next_cradle.settings.csv, numbers)
             self.change(csv=edited, mass=None, e_source=None)
         else:
-            self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}{odd_sign(text)}")
+            self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}")
         self.refused_in = self.next_cradle.settings.csv
 
     def refusals(self) -> dict[str, Refusal]:

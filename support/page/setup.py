@@ -11,7 +11,8 @@ from support.files.experiments import experiment_text
 from support.page.chooser import Chooser
 from support.page.names import State
 from support.pendulum import angle_to_outwards
-from support.start.commands import python_command, ROOT
+from support.root import ROOT
+from support.start.commands import python_command
 
 NAME = "My setup"  # of the experiment in the file
 FILE = "my_cradle.txt"  # keep.js has this name, too

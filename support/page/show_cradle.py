@@ -16,7 +16,8 @@ from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import read_cradle
 from support.main_page import Loop
-from support.start.commands import python_command, ROOT
+from support.root import ROOT
+from support.start.commands import python_command
 from support.start.early import end_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.options import (

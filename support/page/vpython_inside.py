@@ -27,7 +27,7 @@ from typing import NoReturn
 
 from vpython import baseObj, vector
 
-from support.start.commands import ROOT
+from support.root import ROOT
 from support.waits import heard
 
 NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls"

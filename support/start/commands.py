@@ -5,7 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from support.root import ROOT
+
 FOLDER = Path.cwd()  # now: a student's function may leave it
 
 

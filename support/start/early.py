@@ -12,7 +12,7 @@ from importlib.machinery import ModuleSpec, PathFinder
 from types import ModuleType
 from typing import Any, NoReturn
 
-from support.waits import SRC
+from support.root import SRC
 
 
 def is_in_session() -> bool:

@@ -7,7 +7,8 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
-from support.start.commands import checks_command, ROOT
+from support.root import ROOT
+from support.start.commands import checks_command
 from support.start.other_tools import of_other_tool
 from support.start.output import complain, say
 from support.start.packages import report_of_package

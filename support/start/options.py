@@ -5,9 +5,8 @@ A wrong option ends the program with status 2 and one line.
 
 import argparse
 import os
-import sys
 from collections.abc import Callable, Sequence
-from math import inf, isfinite, isnan, sqrt
+from math import inf, isfinite, sqrt
 from typing import Any, NamedTuple, NoReturn
 
 from support import constants
@@ -15,8 +14,8 @@ from support.columns import CHECKED, to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.data_file import EVERY
 from support.files.valid_cradle import CradleCsv
+from support.found import found
 from support.pendulum import angle_to_outwards, outwards_to_angle
-from support.signs import found, in_plain_signs, odd_sign
 from support.start.output import refuse
 
 # VPython's environment variables; --port and --no-browser override them.
@@ -47,16 +46,6 @@ CONSTANTS = {
 
 class OneLineParser(argparse.ArgumentParser):
     """A parser that prints an error in one line, without the usage."""
-
-    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
-        for word in sys.argv[1:] if args is None else args:
-            # It would be taken for a file; in the name of a file, such signs may be right
-            name = word.partition("=")[0]
-            plain = in_plain_signs(name)
-            if plain != name and plain.startswith("-") and isnan(to_number(plain)):
-                allowed = f"--{plain.lstrip('-')}"
-                self.error(f"found {word!r}{odd_sign(name)}; allowed is {allowed}")
-        return super().parse_known_args(args, namespace)
 
     def error(self, message: str) -> NoReturn:
         refuse(f"{self.prog}: error: {message} (--help shows all options)")

@@ -6,7 +6,7 @@ import traceback
 from pathlib import Path
 from textwrap import shorten
 
-from support.start.commands import ROOT
+from support.root import ROOT
 from support.start.unfit import NEEDED
 
 LONGEST_ERROR = 250  # letters of an error: numpy writes a page

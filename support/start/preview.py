@@ -9,10 +9,10 @@ from typing import Any, NamedTuple, Protocol
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.main_page import Loop, Page
 from support.pendulum import discard
-from support.start.commands import checks_command, ROOT
+from support.root import SRC
+from support.start.commands import checks_command
 from support.start.output import refuse
 
-SRC = ROOT / "src"
 # The first lines of the statements that the handout provides around a raise, as ast.unparse writes
 # them.
 GIVEN = {

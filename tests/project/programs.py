@@ -13,7 +13,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[2]
+from support.root import ROOT
+
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 SECONDS = 60  # a test waits for something at most this long
 # The environment of a program that imports modules of the tests

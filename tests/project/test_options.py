@@ -164,16 +164,6 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
         ("text", "--record=", "argument --record: found nothing, allowed is the name of a file"),
         (
-            "text",
-            "\u2013elastic",
-            "found '\u2013elastic'; sign 1 is en dash (U+2013): type -; allowed is --elastic",
-        ),
-        (
-            "text",
-            "a.csv --\uff45=1",
-            "found '--\uff45=1'; sign 3 is fullwidth latin small letter e",
-        ),
-        (
             "page",
             "--experiment a.txt --e 0",
             "argument --experiment: not allowed with argument --e",

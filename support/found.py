@@ -1,0 +1,14 @@
+"""The words about a text that is not allowed."""
+
+LONGEST_FOUND = 300  # letters of a text in a message
+
+
+def found(text: str, allowed: str) -> str:
+    """Return the words of a message: this text was found, and what is allowed."""
+    what = in_short(repr(text)) if text else "nothing"
+    return f"found {what}, allowed is {allowed}"
+
+
+def in_short(text: str) -> str:
+    """Return the beginning of a long text: a wrong file may have a line of megabytes."""
+    return text if len(text) <= LONGEST_FOUND else f"{text[:LONGEST_FOUND]}..."
