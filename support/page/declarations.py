@@ -272,7 +272,6 @@ def commands(
         "set": Command(set_control, (is_text, is_json)),
         "pause": Command(playback.pause),
         "step": Command(playback.do_step),
-        "tick": Command(playback.do_one_tick),
         "restart": Command(restart),
         "reset": Command(reset),
         "next": Command(lesson.choose_next),

@@ -17,7 +17,6 @@ class Commands(TypedDict):
     set: Command  # a control to a value
     pause: Command
     step: Command
-    tick: Command
     restart: Command
     reset: Command
     next: Command
@@ -77,7 +76,6 @@ class State(TypedDict, total=False):
     table: dict[str, list[float]]
     refused: dict[str, dict[str, str]]
     now: dict[str, str]
-    tick_lines: list[str]  # what One tick has done
 
 
 class Texts(TypedDict):

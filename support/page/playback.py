@@ -1,11 +1,10 @@
-"""How the time goes on: pause, Step, One tick, and the speed."""
+"""How the time goes on: pause, Step, and the speed."""
 
 from collections.abc import Callable
 
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
 from support.page.names import State
-from support.page.one_tick import OneTick
 from support.page.questions import Questions, WAITS
 from support.page.scene.slow_hits import SlowHits
 
@@ -21,7 +20,6 @@ class Playback:
         pace: RealTime,
         questions: Questions,
         slow_hits: SlowHits,
-        one_tick: OneTick,
         plan: Callable[..., None],
     ):
         """Let the time go on; plan(ticks) plans the ticks of a frame, as that of a Player."""
@@ -29,7 +27,6 @@ class Playback:
         self.pace = pace
         self.questions = questions
         self.slow_hits = slow_hits
-        self.one_tick = one_tick
         self.plan = plan
         self.is_paused = False
         self.speed = 1.0  # that you have set, times real time
@@ -82,12 +79,6 @@ class Playback:
             self.slow_hits.show_next(self.pace.clock())
         else:
             self.plan(round(FRAME * self.speed_now() / self.cradle.dt))
-
-    def do_one_tick(self) -> None:
-        """Do one tick, while paused, and show what it changes, and the collisions in it."""
-        if self.can_go_on() and not self.is_running():
-            self.one_tick.begin()
-            self.plan(1, with_calls=True)
 
     def slow_down(self, is_slow: bool) -> None:
         """Let the time go on slowly, or at its usual speed."""

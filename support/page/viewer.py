@@ -22,7 +22,6 @@ from support.page.ghost_file import GhostFile
 from support.page.graph import Graph, MOST_DRAWN
 from support.page.lesson import Lesson
 from support.page.names import State
-from support.page.one_tick import OneTick
 from support.page.playback import Playback
 from support.page.questions import PREDICTED, Questions
 from support.page.readout import constants, Readout
@@ -83,10 +82,7 @@ class Viewer(Player):
         # Its motion
         self.questions = Questions(self.pace.clock)
         self.slow_hits = SlowHits(cradle)
-        self.one_tick = OneTick(cradle, self.hits)
-        self.playback = Playback(
-            cradle, self.pace, self.questions, self.slow_hits, self.one_tick, self.plan
-        )
+        self.playback = Playback(cradle, self.pace, self.questions, self.slow_hits, self.plan)
         self.lesson = Lesson(self.chooser, self.next_cradle, self.questions, self.playback)
         self.unknown = Unknown(cradle)
         self.stopwatch = Stopwatch()
@@ -238,7 +234,6 @@ class Viewer(Player):
             "bars": self.bars.chart(),
             "impacts": self.motion.impacts.lines(),
             "curves": self.graph.state(self.motion.start_energy),
-            "tick_lines": self.one_tick.lines,
             "controls": {name: control.description() for name, control in self.controls.items()},
         }
         for part in (
@@ -267,7 +262,6 @@ class Viewer(Player):
         self.unknown.begin()
         self.bars.begin()
         self.begin_swing()
-        self.one_tick.clear()
         self.next_refresh = 0.0
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
             self.show_frame()
@@ -317,7 +311,7 @@ class Viewer(Player):
         return longest
 
     def end_batch(self) -> None:
-        """Look at the result of a batch: measure an experiment; show One tick, or its hits."""
+        """Look at the result of a batch: measure an experiment, or show its hits."""
         super().end_batch()
         if (
             self.motion.ticks % self.step == 0
@@ -329,7 +323,6 @@ class Viewer(Player):
             self.slow_hits.add(self.hits.noted, self.motion.time(), self.motion.fast_speed)
             if self.slow_hits.waiting:
                 self.planned = 0
-        self.one_tick.end()
 
     def reset(self) -> None:
         """Begin again with your CSV, as the program has started."""

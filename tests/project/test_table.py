@@ -1,4 +1,4 @@
-"""The table of the pendula, with one tick of them; and all commands that the page refuses."""
+"""The table of the pendula, and all commands that the page refuses."""
 
 from math import inf, nan
 
@@ -6,9 +6,7 @@ import pytest
 from rig import Rig
 from whole_cradles import FIVE_CSV, GOOD, HEADER
 
-from src import visualize_cradle_run
-from support.constants import DT, R_PARAM
-from support.cradle.cradle import Cradle
+from support.constants import R_PARAM
 from support.cradle.double_cradle import DoubleCradle
 from support.page.chooser import STILL_THERE
 
@@ -146,56 +144,3 @@ def test_a_command_with_other_values_does_nothing(rig):
         assert rig.viewer.held_bob.grabbed == 2, command
     rig.give("drag", *RAY)
     assert rig.bob_angles()[2] == 3  # atan(1 / 20)
-
-
-# --- one tick --------------------------------------------------------------------------------
-
-
-CALLS = {
-    Cradle: (
-        f"handle_collision(e=1, omega1=2, omega2=0, m1=1, m2=1, r_param={R_PARAM:g})"
-        " returned (0, 2)"
-    ),
-    DoubleCradle: (
-        "handle_two_double_bobs(pend1=pend_list[0], pend2=pend_list[1],"
-        f" r_param={R_PARAM:g}) returned True"
-    ),
-}
-
-
-def test_one_tick_shows_each_pendulum_before_and_after_while_paused(rig, monkeypatch):
-    """Also before handle_collision is written."""
-    rig.give("tick")
-    assert rig.state["tick_lines"] == []
-    rig.give("pause")
-    theta = rig.values("theta")[0]
-    rig.give("tick")
-    assert rig.viewer.motion.ticks == 1
-    first, *pendula, last = rig.state["tick_lines"]
-    assert first == f"One tick, {DT:g} s: before -> after"
-    now = f"theta {theta:.6g} -> {rig.values('theta')[0]:.6g}"
-    assert pendula[0].startswith(f"[0] {now} ")
-    assert pendula[0].endswith(f" omega 0 -> {rig.values('omega')[0]:.6g}")
-    assert [line[:9] for line in pendula] == [f"[{i}] theta" for i in range(5)]
-    assert last == "No call of handle_collision was seen."
-    rig.give("restart")
-    assert rig.state["tick_lines"] == []
-    monkeypatch.delattr(visualize_cradle_run, "handle_collision")
-    rig.give("tick")
-    assert rig.state["tick_lines"][-1] == last
-
-
-@pytest.mark.parametrize("kind", CALLS)
-def test_one_tick_shows_each_call_of_the_collision_function(csv, kind):
-    """Two pendula hang so that they touch, and the first one moves towards the second one."""
-    csv.write_text(HEADER + GOOD * 2)
-    rig = Rig(csv, *[0] * kind.cord_count, kind=kind)
-    rig.give("pause")
-    first = rig.cradle.pend_list[0]
-    first["objects"][1].radius *= 1.5
-    first["omega"] = 2.0
-    rig.give("tick")
-    _, *pendula, call = rig.state["tick_lines"][:4]
-    assert call == CALLS[kind]
-    for line in pendula:
-        assert line.count("->") == 2 * kind.cord_count

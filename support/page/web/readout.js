@@ -1,10 +1,10 @@
 // What the page says of the motion: in numbers, in a sentence, and in bars; and of a hit.
 import { dark, legible } from "colors";
-import { find, make, one, show, state, update } from "page";
+import { make, one, show, state, update } from "page";
 
 show("running", running => {
   one("[data-do=pause]").textContent = running ? "Pause" : "Run";
-  for (const button of find("[data-do=step], [data-do=tick]")) button.disabled = running;
+  one("[data-do=step]").disabled = running;
 });
 show("paused", isPaused => {
   const sign = one(".paused");
