@@ -1,4 +1,4 @@
-"""Bars of the momenta and of the energy, with the arrows of the velocities."""
+"""Bars of the momenta, with the arrows of the velocities."""
 
 from collections.abc import Sequence
 from math import inf
@@ -6,11 +6,10 @@ from typing import Any, NamedTuple
 
 from vpython import vector
 
-from support.cradle.motion import Motion, percent_as_text, signed
-from support.page.graph import ENERGIES, to_css
+from support.cradle.motion import Motion, signed
+from support.page.graph import to_css
 from support.page.questions import Questions
 from support.page.scene.marks import GREY, Marks
-from support.page.scene.slow_hits import SlowHits
 
 
 class Bar(NamedTuple):
@@ -20,7 +19,6 @@ class Bar(NamedTuple):
     text: str
     color: str  # as CSS has it
     part: float  # -1 to 1: of the full length, negative to the left
-    zero: float  # where the bar begins: 0 at the left end of its place, 0.5 in the middle
 
 
 class Bars:
@@ -29,10 +27,9 @@ class Bars:
     Most bobs stop for a moment then.
     """
 
-    def __init__(self, motion: Motion, marks: Marks, slow_hits: SlowHits, questions: Questions):
+    def __init__(self, motion: Motion, marks: Marks, questions: Questions):
         self.motion = motion
         self.marks = marks
-        self.slow_hits = slow_hits
         self.questions = questions
         self.begin()
 
@@ -58,8 +55,6 @@ class Bars:
             momenta = self.after_hits
             title = "Momentum after the hits (kg m/s)"
         bars = momentum_bars(momenta, marks.largest, self.motion.cradle.colors())
-        energy = self.motion.percents(self.slow_hits.shown_pendula())["energy"]
-        bars.append(energy_bar(energy))
         return {"title": title, "bars": [bar._asdict() for bar in bars]}
 
 
@@ -72,11 +67,5 @@ def momentum_bars(momenta: Sequence[float], largest: float, colors: Sequence[vec
     bars = []
     for name, p, color in zip(names, [*momenta, sum(momenta)], [*colors, GREY], strict=True):
         part = max(-1.0, min(1.0, p / largest))
-        bars.append(Bar(name, signed(p), to_css(color), round(part, 3), zero=0.5))
+        bars.append(Bar(name, signed(p), to_css(color), round(part, 3)))
     return bars
-
-
-def energy_bar(percent: float) -> Bar:
-    """Return a bar of the energy, in percent of that at the start."""
-    text = percent_as_text(percent).strip()
-    return Bar("energy", text, ENERGIES["total"], min(1.0, percent / 100), zero=0.0)

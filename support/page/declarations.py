@@ -35,7 +35,6 @@ from support.page.scene.slow_hits import SlowHits
 from support.page.unknown import Unknown
 
 SPEEDS = (0.1, 2.0)  # times real time: the ends of the slider
-MOST_HANDS = 999
 MOST_BOBS = 9  # of the slider, if the CSV has no more
 MASSES = (0.5, 10.0)  # kg: the ends of the slider, if the bob's mass is between them
 ANGLES_IN_WORDS = {
@@ -278,7 +277,6 @@ def commands(
         "previous": Command(lesson.choose_previous),
         "repeat": Command(lesson.repeat, (is_switch,)),
         "answer": Command(questions.answer, (is_text, is_count)),
-        "vote": Command(questions.vote, (is_text, is_count, is_hands)),
         "check": Command(unknown.check, (is_text,)),
         "edit": Command(settings.edit, (is_count, is_in_table, is_text)),
         "grab": Command(held_bob.grab, (is_point, is_direction)),
@@ -291,10 +289,6 @@ def commands(
 
 def is_json(value: object) -> bool:
     return True  # the control looks at it
-
-
-def is_hands(value: Any) -> bool:
-    return is_count(value) and value <= MOST_HANDS
 
 
 def is_file(value: object) -> bool:

@@ -22,8 +22,7 @@ class Commands(TypedDict):
     next: Command
     previous: Command
     repeat: Command
-    answer: Command
-    vote: Command
+    answer: Command  # to the question of an experiment
     check: Command  # the value of what is hidden
     edit: Command
     grab: Command

@@ -56,12 +56,8 @@ class Playback:
     # --- commands ------------------------------------------------------------------------------
 
     def pause(self) -> None:
-        """Stop the time, or let it go on; an open question takes the answer of the hands."""
-        if self.questions.asking:
-            self.questions.take_hands()
-            if not self.questions.asking:
-                self.is_paused = False
-        else:
+        """Stop the time, or let it go on; while a question is open, it stands."""
+        if self.can_go_on():
             self.is_paused = not self.is_paused
             self.questions.end_rest()
 

@@ -13,21 +13,18 @@ from support.page.names import State
 PREDICTED = "predicted"  # asked before the release
 SEEN = "seen"  # asked after the first swing
 REST = 3.0  # s that the picture rests when an experiment has been measured
-WAITS = "The cradle waits for your answer. Choose one, or count hands and press Run."
-TIE = "Two answers have the same number of hands. Choose one of them."
+WAITS = "The cradle waits for your answer. Choose one."
 OVER = (
     "You have changed the cradle, so its question is over. To ask it again, choose the experiment."
 )
 
 Replies = dict[str, int | None]  # to PREDICTED and SEEN: the index of an answer
-Votes = dict[str, list[int]]  # the same: the hands for each answer
 
 
 class Again(NamedTuple):
     """What a run that repeats the last one takes from it, and whether it is in slow motion."""
 
     replies: Replies
-    votes: Votes
     slowly: bool
 
 
@@ -51,7 +48,6 @@ class Questions:
         """Ask nothing, and measure nothing."""
         self.asking: str | None = None  # PREDICTED or SEEN: the cradle waits for an answer
         self.replies: Replies = {PREDICTED: None, SEEN: None}
-        self.votes: Votes = {PREDICTED: [], SEEN: []}
         self.slowly = False  # whether this run is in slow motion, until its measurement is over
         self.rest_end: float | None = None  # on the clock: until then, the picture rests
         # Of the experiment whose question is asked, or was answered.
@@ -64,8 +60,8 @@ class Questions:
         self.drop()
 
     def repeat(self, slowly: bool) -> None:
-        """Let the next run keep the answers and the votes of this one."""
-        self.again = Again(self.replies, self.votes, slowly)
+        """Let the next run keep the answers of this one."""
+        self.again = Again(self.replies, slowly)
 
     def begin(self, experiment: Experiment | None, motion: Motion) -> None:
         """Begin a run of this Motion, and ask the question of its experiment, if it has one.
@@ -82,32 +78,21 @@ class Questions:
             return
         self.measurement = Measurement(experiment, motion)
         if again:
-            self.replies, self.votes, self.slowly = again
-            return
-        for votes in self.votes.values():
-            votes += [0] * len(experiment.answers)
-        if self.ask_first:
+            self.replies, self.slowly = again
+        elif self.ask_first:
             self.asking = PREDICTED
 
-    def is_asked(self, key: str, number: int) -> bool:
-        """Return whether this question is asked now, and has this answer (an index).
+    def answer(self, key: str, number: int) -> None:
+        """Take an answer (its index) to the question of the experiment with this key.
 
-        key is that of its experiment.
+        Do nothing if this question is not asked now, or has no such answer.
         """
         if self.measurement is None or self.asking is None:
-            return False
+            return
         experiment = self.measurement.experiment
-        return experiment.key == key and number in range(len(experiment.answers))
-
-    def answer(self, key: str, number: int) -> None:
-        """Take an answer (its index) to this question, unless it is over."""
-        if self.is_asked(key, number):
-            self.take(number)
-
-    def take(self, number: int) -> None:
-        """Take an answer (its index) to what is asked."""
-        if self.asking is not None:
-            self.replies[self.asking] = number
+        if experiment.key != key or number >= len(experiment.answers):
+            return
+        self.replies[self.asking] = number
         self.leave_seen()
         self.asking = None
         self.word = ""
@@ -117,22 +102,6 @@ class Questions:
         if self.asking == SEEN:
             self.rest_end = self.clock() + REST
             self.asking = None
-
-    def vote(self, key: str, number: int, count: int) -> None:
-        """Let an answer (its index) to this question have this number of hands."""
-        if self.asking and self.is_asked(key, number):
-            self.votes[self.asking][number] = count
-
-    def take_hands(self) -> None:
-        """Take the answer with the most hands; without hands, say that the cradle waits."""
-        votes = self.votes[self.asking] if self.asking else []
-        most = max(votes, default=0)
-        if not most:
-            self.word = WAITS
-        elif votes.count(most) > 1:
-            self.word = TIE
-        else:
-            self.take(votes.index(most))
 
     def is_measuring(self) -> bool:
         """Return whether the present run is measured, and its measurement is not yet over."""
@@ -206,7 +175,6 @@ class Questions:
             "key": experiment.key,
             "question": experiment.question,
             "answers": [answer.text for answer in experiment.answers],
-            "votes": {name: list(votes) for name, votes in self.votes.items()},
             "asking": self.asking,
             "replies": dict(self.replies),
             "happened": happened,

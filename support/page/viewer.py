@@ -36,6 +36,7 @@ from support.page.unknown import Unknown
 REFRESH = 0.1  # s between two changes of the state
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
 IMPACTS = 5  # series of hits, a line for each
+YOURS = "your answer"  # above the ghosts of an answer
 
 
 class Start(NamedTuple):
@@ -93,7 +94,7 @@ class Viewer(Player):
         self.readout = Readout(
             self.motion, self.pace, self.slow_hits, self.marks, self.stopwatch, self.ghost_file
         )
-        self.bars = Bars(self.motion, self.marks, self.slow_hits, self.questions)
+        self.bars = Bars(self.motion, self.marks, self.questions)
         self.sound = Sound(self.motion)
         self.setup = Setup(
             self.chooser, self.next_cradle, self.motion, self.held_bob, str(start.file.filepath)
@@ -210,7 +211,7 @@ class Viewer(Player):
         time = self.motion.time()
         predicted = self.questions.ghosts(time)
         if predicted:
-            return [GhostPoses(poses, answer=answer) for answer, poses in enumerate(predicted)]
+            return [GhostPoses(poses, YOURS, answer) for answer, poses in enumerate(predicted)]
         ghosts = self.ghost_file.ghosts
         return [GhostPoses(ghosts.poses(time, len(self.cradle.pend_list)), ghosts.name)]
 

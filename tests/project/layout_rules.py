@@ -17,7 +17,7 @@ FAULTS = """async () => {
         ".paused": ".canvas",
         ".hit-part": ".canvas",
     };
-    const BOXES = "input, select, summary, svg, .track, .votes span, .canvas, .hit-part";
+    const BOXES = "input, select, summary, svg, .track, .canvas, .hit-part";
     const SMALLEST = 8; // pixels: of a part's width and height
     const SPACE = 8; // pixels: between two words
     const GAP = 16; // pixels: between two parts
@@ -169,25 +169,21 @@ FAULTS = """async () => {
     }
 
     function uneven() {
-        return [".votes", ".momenta"].flatMap(chart => {
-            const rows = seen.filter(element => element.matches(`${chart} div`)).map(row => ({
-                name: nameOf(row),
-                left: edges(row).left,
-                track: edges(row.children[1]),
-                bar: edges(row.querySelector("i")).width,
-                number: Math.abs(parseFloat(row.lastChild.textContent)),
-                isEnergy: row.textContent.startsWith("energy"), // in percent
-            }));
-            const bars = rows.filter(({ isEnergy }) => !isEnergy);
-            const largest = bars.toSorted((a, b) => b.number - a.number)[0];
-            const isOther = ({ left, track }) => Math.abs(track.width - largest.track.width) > 1
-                || (left === largest.left && track.left !== largest.track.left);
-            const isFalse = ({ bar, number }) =>
-                Math.abs(bar - largest.bar * number / largest.number) > 1;
-            return [
-                ...rows.filter(isOther).map(({ name }) => `the track of ${name} is another one`),
-                ...bars.filter(isFalse).map(({ name }) => `the bar of ${name} has another scale`),
-            ];
-        });
+        const bars = seen.filter(element => element.matches(".momenta div")).map(row => ({
+            name: nameOf(row),
+            left: edges(row).left,
+            track: edges(row.children[1]),
+            bar: edges(row.querySelector("i")).width,
+            number: Math.abs(parseFloat(row.lastChild.textContent)),
+        }));
+        const largest = bars.toSorted((a, b) => b.number - a.number)[0];
+        const isOther = ({ left, track }) => Math.abs(track.width - largest.track.width) > 1
+            || (left === largest.left && track.left !== largest.track.left);
+        const isFalse = ({ bar, number }) =>
+            Math.abs(bar - largest.bar * number / largest.number) > 1;
+        return [
+            ...bars.filter(isOther).map(({ name }) => `the track of ${name} is another one`),
+            ...bars.filter(isFalse).map(({ name }) => `the bar of ${name} has another scale`),
+        ];
     }
 }"""

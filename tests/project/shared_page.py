@@ -28,7 +28,6 @@ PUT_BACK = """() => {
     for (const open of find("details[open]")) open.open = false;
     for (const popover of find("[popover]")) popover.hidePopover();
     if (document.documentElement.matches(".presenting")) present();
-    document.documentElement.classList.remove("counting");
     one("#small").disabled = false;
     document.activeElement.blur();
     resetView();

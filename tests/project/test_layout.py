@@ -2,7 +2,7 @@
 
 import pytest
 from layout_rules import FAULTS
-from pages import choose, pause, press, slide, tick
+from pages import choose, pause, slide, tick
 from whole_cradles import FIVE_CSV, GOOD
 
 PHONE, TABLET = (390, 844), (768, 1024)
@@ -11,7 +11,7 @@ LONGEST = "A light one hits heavy ones"  # the experiment with the longest texts
 
 # For each state: the boxes that are ticked, and what shows that the page is in it.
 STATES = {
-    "counted": (["Predict first"], ".answers"),
+    "asked": (["Predict first"], ".answers"),
     "seen": (["Say what you saw", "Predict first"], ":text('What did you see')"),
     "slow hits": (["Arrows", "Slow hits"], ".hit-part table"),
     "both": (["Arrows", "Measure", "Predict first"], ".question :text('What happened')"),
@@ -42,14 +42,8 @@ def get_into(page, file, state):
         slide(page, "Bobs", 9)
     for name in boxes:
         tick(page, name)
-    if state in ("counted", "both"):
-        press(page, "Count hands")
-        for answer, hands in (("A", "10"), ("C", "999")):
-            page.get_by_label(f"Hands for {answer}").fill(hands)
-            page.keyboard.press("Tab")
-        page.wait_for_function("() => state.question.votes.predicted[2] === 999")
     if state in ("seen", "both"):
         page.locator(".choice").first.click()
     page.locator(sign).first.wait_for(state="attached")
-    if state not in ("counted", "seen"):
+    if state not in ("asked", "seen"):
         pause(page)

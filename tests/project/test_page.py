@@ -181,32 +181,6 @@ def test_a_mistake_in_the_csv_is_shown_and_stays_in_view_until_it_is_corrected(s
     error.wait_for(state="hidden")
 
 
-def test_hands_are_typed_and_the_picture_of_the_question_stays(shared):
-    """The field keeps the keys."""
-    shared.evaluate(ASK)
-    question = shared.locator(".question")
-    question.evaluate("element => element.isSame = true")
-    press(shared, "Count hands")
-    hands = shared.get_by_label("Hands for B")
-    for typed in ("12", "many"):
-        hands.fill(typed)
-        hands.press("Tab")
-        wait_until(lambda: hands.input_value() == "12")
-    # A screen reader says what is new in the question
-    status = shared.get_by_role("status").and_(shared.locator(":has(> .question)"))
-    assert status.get_attribute("aria-atomic") == "false"
-    assert question.evaluate("element => element.isSame")
-    press(shared, "Run")
-    wait_for_text(shared, "You said: B")
-    texts = "scene().__overlay_objects.objects.map(label => label.text)"
-    shared.wait_for_function(f"() => {texts}.includes('12 of you')")  # above the ghosts
-
-
-# The least width or height of a button, or a field, for hands.
-SMALLEST_HAND = """() => Math.min(...find(".hands").flatMap(hand => {
-    const { width, height } = hand.getBoundingClientRect();
-    return [width, height];
-}))"""
 # How many arrows, boxes and spheres are visible.
 SHAPES = """() => ["arrow", "box", "sphere"].map(
     kind => glowObjs.filter(o => o?.constructor.name === kind && o.visible).length)"""
@@ -229,27 +203,21 @@ def test_a_lesson_in_present_by_touch_alone_predict_see_and_explain(shared):
     button(shared, "Present").tap()
     texts = shared.evaluate("state.question.answers")
     answers = [f"{letter}\u2002{text}" for letter, text in zip("ABCD", texts, strict=True)]
-    hands = ["\u2212", "+"]
     ways = ["‹", "›", "Two bobs\nExperiments ▾"]
-    only = [*answers, *hands * 4, *ways, "Run", "×"]
+    only = [*answers, *ways, "×"]
     wait_until(lambda: sorted(shared.evaluate(CONTROLS)) == sorted(only))
     assert violations(shared) == {}
     wait_for_rest(shared)
-    assert shared.evaluate(SMALLEST_HAND) >= 40  # pixels: a finger hits it
-    button(shared, "One hand more for C").tap()
     button(shared, answers[0]).tap()
     question.get_by_text("What did you see?").wait_for()
     assert not shared.locator(".readout").is_visible()
     assert shared.evaluate(SHAPES) == [0, 6, 5 + 5]  # with the ghosts of A
     button(shared, "Again").tap()
     question.get_by_text("What did you see?").wait_for()
-    button(shared, "One hand more for C").tap()
-    button(shared, "Run").tap()
+    button(shared, answers[2]).tap()
     question.get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
     assert question.get_by_text("You said: A, One bob, twice as fast.").is_visible()
     assert question.get_by_text("You saw: C.").is_visible()
-    for name in ("C, predicted: 1", "C, seen: 1"):
-        assert question.get_by_role("img", name=name).is_visible()
     shared.get_by_label("Arrows").tap()
     shared.get_by_label("Slow hits").tap()
     shared.locator(".hit-part").get_by_text("m/s").first.wait_for()

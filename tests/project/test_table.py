@@ -82,7 +82,6 @@ ALLOWED = {
     "lifted": [2],
     "graph": ["Angles theta"],
     "answer": ["2_two_bobs", 0],
-    "vote": ["2_two_bobs", 0, 3],
     "check": ["2.7"],
     "grab": RAY,
     "drag": RAY,

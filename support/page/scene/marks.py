@@ -52,8 +52,8 @@ class GhostPoses(NamedTuple):
     """Where ghosts are: the angles (rad) of cords from straight down, by the pendulum's index."""
 
     poses: Mapping[int, Sequence[float]]
-    name: str = ""  # of the ghosts of a file
-    answer: int | None = None  # whose they are: ghosts.js shows those of yours, and names them
+    name: str  # above them
+    answer: int | None = None  # whose they are: ghosts.js shows those of yours
 
 
 class Marks:

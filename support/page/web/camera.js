@@ -1,6 +1,6 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
 // And the texts in its picture: the numbers above the axles, and the labels.
-import { isShown, nameOf } from "ghosts";
+import { isShown } from "ghosts";
 import { label, rgb, scene, vec } from "glow";
 import { css, one, state } from "page";
 
@@ -106,8 +106,7 @@ function writeTexts() {
   const step = [1, 5, 10, 50].find(step => step * apart >= widest) ?? Infinity;
   const fitting = numbers.filter((_, i) => i === 0 || (i + 1) % step === 0);
   const above = ({ x, text }) => ({ pos: vec(x, top, 0), text, height: size, ...STYLES.number });
-  const inside = ({ x, y, text: ownText, kind, answer }) => {
-    const text = answer === null ? ownText : nameOf(answer);
+  const inside = ({ x, y, text, kind }) => {
     const height = kind === "bob" ? Math.min(size, apart / widthOf(text)) : size;
     const colors = kind === "dial" ? {} : { color: ofPage("--ink"), background: ofPage("--paper") };
     return { pos: vec(x, y, 0), text, height, ...colors, ...STYLES[kind] };

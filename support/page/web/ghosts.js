@@ -4,12 +4,6 @@ import { state } from "page";
 
 export const isShown = answer => answer === null || answer === state.question?.replies.predicted;
 
-// Return the name of the ghosts of an answer: yours, or that of the hands for it.
-export function nameOf(answer) {
-  const hands = state.question.votes.predicted[answer];
-  return hands ? `${hands} of you` : "your answer";
-}
-
 export function showGhosts() {
   const parts = objects.filter(shape => shape?.pickable === false);
   for (const kind of ["sphere", "cylinder"]) { // a ghost, and its thread

@@ -40,13 +40,12 @@ function readoutRow([name, text]) { // its second line is a caption
   return make("tr", { className: name }, make("th", { scope: "row" }, name), cell);
 }
 
-// A bar to the left or to the right of a line, which stands for 0.
-function makeBar({ name, text, color, part, zero }) {
+// A bar to the left or to the right of a line in the middle, which stands for 0.
+function makeBar({ name, text, color, part }) {
   const bar = make("i");
-  const width = 100 * Math.abs(part) * (1 - zero);
-  const left = 100 * zero - (part < 0 ? width : 0);
+  const width = 50 * Math.abs(part);
+  const left = part < 0 ? 50 - width : 50;
   Object.assign(bar.style, { left: `${left}%`, width: `${width}%`, background: legible(color) });
   const track = make("span", { className: "track" }, bar);
-  track.style.backgroundPosition = `${100 * zero}%`;
   return make("div", {}, make("span", {}, name), track, make("output", {}, text));
 }

@@ -132,9 +132,8 @@ const isWaiting = () => !pictures.length || state.question?.asking === "predicte
 // The question as it is for you. The film shows it as it was when it was recorded.
 function yourQuestion() {
   if (!recorded) return recorded;
-  const votes = { predicted: [], seen: [] };
-  if (!asks) return { ...recorded, asking: null, votes };
-  return { ...recorded, asking: asked(), replies: { ...replies }, votes };
+  if (!asks) return { ...recorded, asking: null };
+  return { ...recorded, asking: asked(), replies: { ...replies } };
 }
 
 function asked() {
