@@ -1,4 +1,4 @@
-"""Newton's cradle in the terminal: as moving text, as lines of text, or as data in a file.
+"""Newton's cradle in the terminal, a line each half second, or as data in a file.
 
 Needs no VPython.
 """
@@ -16,24 +16,22 @@ from src import special_cradles
 from src.visualize_cradle_run import main as cradle_main
 from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
-from support.cradle.player import run
 from support.cradle.settings import Settings, settings_of
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import has_data, require_replaceable
 from support.files.experiments import read_experiment
 from support.files.valid_cradle import read_cradle
-from support.main_page import Loop
 from support.start.early import stop_on_signals
 from support.start.mistake import handout_frames, report_endless_loop, report_mistake
 from support.start.options import read_text_options, require_lifted
 from support.start.output import complain, is_unread, refuse, while_it_is_read
 from support.start.preview import what_there_is
-from support.terminal.players import has_terminal, Lines, own_screen, Pictures, record
+from support.terminal.players import record, show
 
 
 @while_it_is_read()
 def main() -> None:
-    """Show the cradle of src/visualize_cradle_run.py, or record its data.
+    """Print where the bobs of src/visualize_cradle_run.py are, or record the data.
 
     The exit status is 2 if an option, the CSV, the data file or the output is wrong, or if
     functions for a cradle are missing. It is 1 if a function makes a mistake, or if a signal ends a
@@ -51,6 +49,7 @@ def main() -> None:
 
     try:
         stop_on_signals()
+        play = record if options.record else show
         play(loop, cradle, settings, options, remark or cradle.slow_remark())
     except KeyboardInterrupt as stopped:
         end_stopped(stopped, options.record)
@@ -65,20 +64,6 @@ def settings_from(options: Namespace, cradle: Cradle) -> Settings:
     csv = read_cradle(Snapshot(options.csv))
     require_lifted(options.lift, csv)
     return Settings(csv, [options.angle], options.lift, cradle.e_source, cradle.mass)
-
-
-def play(loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, remark: str) -> None:
-    """Record the data of a cradle, or show it as well as the output can."""
-    if options.record:
-        record(loop, cradle, settings, options, remark)
-    elif has_terminal():
-        pictures = Pictures(cradle, settings, options, remark)
-        with own_screen(lambda: pictures.last_lines):
-            run(loop, pictures)
-    else:
-        if remark:
-            print(remark)
-        run(loop, Lines(cradle, settings, options))
 
 
 def end_stopped(stopped: KeyboardInterrupt, record: str | None) -> NoReturn:

@@ -4,8 +4,7 @@ Words
     hit            a change of the velocities of two pendula by each other, mostly by a call of
                    handle_two_bobs; its record (hits.py) says who hits whom, and at which speed
     fast           of a hit: its speed is at least a tenth of that of the fastest bob
-    series         hits that follow each other quickly; it has a line in the list of impacts
-    chain          bobs of a series that pass a hit on, by their numbers: 1-2-3-4-5
+    series         hits that follow each other quickly
     frame          one picture, with the ticks that come before it
     batch          ticks of a frame that are done without a look at the cradle
     lifted         the number of bobs that are released, from the left; the others hang

@@ -24,7 +24,6 @@ class Hit(NamedTuple):
     tick: int  # the number of ticks since the release, with the one that made the hit
     left: int  # indices of pendula
     right: int
-    rightwards: bool  # whether the two moved to the right before it
     speed: float  # at which they approached each other (m/s)
     # Copies of the two pendula, the left one first. The fast path makes none.
     before: tuple[Pendulum, ...] = ()
@@ -116,11 +115,8 @@ class Hits:
         if left > right:
             left, right = right, left
             before, after = before[::-1], after[::-1]
-        rightwards = sum(map(self.cradle.velocity, before)) > 0
         speed = self.cradle.approach(*before)
-        self.noted.append(
-            Hit(self.tick, left, right, rightwards, speed, tuple(before), tuple(after))
-        )
+        self.noted.append(Hit(self.tick, left, right, speed, tuple(before), tuple(after)))
 
     # --- a tick that does not call it ----------------------------------------------------------
 

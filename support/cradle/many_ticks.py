@@ -163,9 +163,8 @@ class PlainPendula:
         self.omegas[left], self.omegas[right] = new_omegas
         if new_omegas == (omega1, omega2):
             return
-        rightwards = speed1 + speed2 > 0
         speed = (speed1 - speed2) * self.r_param
-        self.hits.append(Hit(tick + 1, left, right, rightwards, speed))
+        self.hits.append(Hit(tick + 1, left, right, speed))
         for pair in (left - 1, right):
             if self.due.get(pair, 0) > tick + 1:  # planned with the old velocity
                 self.plan(pair, tick + 1)

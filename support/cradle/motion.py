@@ -1,11 +1,10 @@
-"""The motion of a cradle: the time since its release, its impacts, and its energy; also as data."""
+"""The motion of a cradle: the time since its release, its hits, and its energy; also as data."""
 
 from math import degrees, inf, pi, remainder
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
-from support.cradle.impacts import Impacts
 from support.energy import energies, momentum
 from support.pendulum import Pendulum
 
@@ -19,12 +18,10 @@ KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum is none
 
 
 class Motion:
-    """Keeps the time, the impacts and the energy of a cradle."""
+    """Keeps the time, the energy of a cradle, and what its hits have done."""
 
-    def __init__(self, cradle: Cradle, impacts: int):
-        """Begin at time 0; keep the last `impacts` series of hits."""
+    def __init__(self, cradle: Cradle):
         self.cradle = cradle
-        self.impacts = Impacts(impacts, cradle.series_pause)
         self.restart()
 
     def restart(self) -> None:
@@ -34,7 +31,6 @@ class Motion:
         self.hit_count = 0  # the number of hits
         self.has_kept_momentum = True  # whether each hit has kept the momentum of its pendula
         self.last_fast = -inf  # s: the time of the last fast hit
-        self.impacts.clear()
         self.set_start()
 
     def set_start(self) -> None:
@@ -48,26 +44,15 @@ class Motion:
         return round(self.ticks * self.cradle.dt, 9)  # 0.3, not 0.30000000000000004
 
     def note_hit(self, hit: Hit) -> None:
-        """Add a hit to the impacts."""
-        time = hit.tick * self.cradle.dt
-        is_fast = hit.speed >= self.fast_speed
+        """Count a hit; keep its speed, its time if it was fast, and whether it kept momentum."""
         self.hit_count += 1
         self.has_kept_momentum = self.has_kept_momentum and keeps_momentum(hit)
-        if is_fast:
-            self.last_fast = time
+        if hit.speed >= self.fast_speed:
+            self.last_fast = hit.tick * self.cradle.dt
         self.loudest = max(self.loudest, hit.speed)
-        self.impacts.add(time, hit.left, hit.right, hit.rightwards, is_fast)
-
-    def reading(self) -> str:
-        """Return the time and the energy as text of constant width."""
-        time = f"t = {self.time():.2f} s".ljust(16)
-        if self.cradle.hidden:
-            return time
-        total, kinetic, potential = map(percent_as_text, self.percents().values())
-        return f"{time}energy {total} (kinetic {kinetic}, potential {potential})"
 
     def summary(self) -> str:
-        """Return the time, the energy, the farthest bobs' angle, and the latest series of hits."""
+        """Return the time, the energy, and the farthest bobs' angle, for a screen reader."""
         angles = [degrees(remainder(theta, 2 * pi)) for theta in self.cradle.values("theta")]
         angle = max(angles, key=abs)
         farthest = []
@@ -81,9 +66,6 @@ class Motion:
         if not self.cradle.hidden:
             texts.append(f"energy {percent_as_text(self.percents()['energy']).strip()}")
         texts.append(f"{bobs} at {abs(angle):.0f} degrees {side}")
-        series = self.impacts.series
-        if series:
-            texts.append(f"hits: {series[-1]}")
         return ", ".join(texts)
 
     def percents(self, pend_list: list[Pendulum] | None = None) -> dict[str, float]:

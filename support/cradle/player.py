@@ -1,8 +1,8 @@
 """The player shows the cradle of a program, and tells the program's loop when to do a tick.
 
 The loop is main in src/visualize_cradle_run.py; run calls it once for each cradle. A player is the
-argument page of main: the cradle's page in the browser (support/page/viewer.py), or its picture,
-its lines or its data file (support/terminal/players.py).
+argument page of main: the cradle's page in the browser (support/page/viewer.py), or its lines or
+its data file (support/terminal/players.py).
 
 The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows
 the cradle, and plans the next ticks (plan), or wants another cradle (next_cradle.want). The loop
@@ -46,18 +46,17 @@ class Player(Page):
         self,
         cradle: Cradle,
         settings: Settings,
-        impacts: int,
         step_seconds: float,
         pace: RealTime | None = None,
     ):
-        """Play the cradle of these settings; keep the last `impacts` series of hits.
+        """Play the cradle of these settings.
 
         step_seconds (s) is the time from sample to sample, to the nearest whole number of ticks.
         pace keeps the time; without one, it is real time.
         """
         self.cradle = cradle
         self.next_cradle = NextCradle(settings, separating=not cradle.takes_rule)
-        self.motion = Motion(cradle, impacts)
+        self.motion = Motion(cradle)
         self.held_bob = HeldBob(cradle)
         self.hits = Hits(cradle, self.held_bob)
         self.pace = pace or RealTime(cradle.dt)

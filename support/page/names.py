@@ -55,7 +55,6 @@ class State(TypedDict, total=False):
     motion: dict[str, str]  # the readout
     summary: str  # the same in a sentence
     bars: dict[str, Any] | None
-    impacts: list[str]
     hit: dict[str, Any] | None  # the slow hit of now
     curves: dict[str, Any]  # of the graph
     # The experiments

@@ -35,7 +35,6 @@ from support.page.unknown import Unknown
 
 REFRESH = 0.1  # s between two changes of the state
 LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
-IMPACTS = 5  # series of hits, a line for each
 YOURS = "your answer"  # above the ghosts of an answer
 
 
@@ -67,7 +66,7 @@ class Viewer(Player):
     ):
         """Play the cradle as a Player does, in this pace; tabs show it."""
         settings = Settings(start.csv, [*start.angles], start.lifted, cradle.e_source, cradle.mass)
-        super().__init__(cradle, settings, IMPACTS, EVERY, pace)
+        super().__init__(cradle, settings, EVERY, pace)
         self.tabs = tabs
         self.given_remark = start.remark
         # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
@@ -233,7 +232,6 @@ class Viewer(Player):
             "motion": self.readout.lines(),
             "summary": self.motion.summary(),
             "bars": self.bars.chart(),
-            "impacts": self.motion.impacts.lines(),
             "curves": self.graph.state(self.motion.start_energy),
             "controls": {name: control.description() for name, control in self.controls.items()},
         }

@@ -250,7 +250,7 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     None) and every (s). experiment is a path, or None.
     """
     parser = cradle_options(
-        "Newton's cradle as moving text, in real time; or, with --record, its data in a file."
+        "Newton's cradle in the terminal, a line each half second; or, with --record, its data."
     )
     add = parser.add_argument
     text = "end after S seconds (default: until Ctrl+C)"

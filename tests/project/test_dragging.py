@@ -24,7 +24,6 @@ def test_a_held_bob_stays_and_throws_others_back(swing, kind, bob):
     for _ in range(50):
         player.swing(round(0.45 * PERIOD / kind.dt / 50))
         momenta.append(cradle.momentum())
-        assert player.impacts() == []
         for key in kind.angle_keys:
             assert player.cradle.values(key)[1:] == [0.0] * 4
     assert min(momenta) < -0.2  # as from a wall

@@ -162,7 +162,7 @@ def test_the_cursor_shows_that_a_bob_can_be_grabbed_and_it_is_let_go_outside_of_
         sharp.mouse.move(20, 230, steps=3)  # below the canvas
         wait_until(lambda: -32 < bob_angles(sharp)[0] < -20)
         sharp.mouse.up()
-        wait_until(lambda: "1-2-3-4-5" in sharp.locator(".impacts").text_content())
+        wait_until(lambda: bob_angles(sharp)[4] > 15)
         sharp.mouse.move(20, 20)
         sharp.wait_for_function(HAS_CURSOR, arg="auto")
 
@@ -306,7 +306,7 @@ HIT = """async speed => {
 
 
 def test_a_faster_hit_is_louder_and_only_if_you_ask_for_sound(shared):
-    wait_until(lambda: "1-2-3-4-5" in shared.locator(".impacts").text_content())
+    wait_until(lambda: bob_angles(shared)[4] > 15)  # there was a hit
     assert shared.evaluate("peak()") is None
     shared.evaluate("one('#sound').checked = true")  # as Firefox does after F5
     shared.keyboard.press("v")

@@ -26,7 +26,7 @@ class Timed(Player):
     def __init__(self, csv, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
         """A tick costs `tick`, a call of the fast path `call`; hiccup delays frame 60 (s)."""
         cradle = make_live()
-        super().__init__(cradle, settings_for(cradle, csv), 4, 100 * DT)
+        super().__init__(cradle, settings_for(cradle, csv), 100 * DT)
         self.until, self.tick, self.call, self.hiccup = until, tick, call, hiccup
         self.now = self.slept = 0.0
         self.frames = 0

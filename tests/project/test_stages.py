@@ -54,26 +54,25 @@ UNIFORM = (
 )
 SWING = "angle_update, full_swing_update in src/swinging.py"
 HITS = "handle_collision, handle_two_bobs, newton_cradle_tick, main in src/visualize_cradle_run.py"
-# What is written, the line above the cradle, and where a bob is after half a second
+# What is written, the line above the cradle, and where a bob (an index) is after half a second, in
+# degrees
 STAGES = {
-    "two functions": (
-        f"Write next: {UNIFORM}; {SWING}. Then the pendula swing.",
-        "bob 1 at 45 degrees left",
-    ),
-    "D": (f"Write next: {SWING}. Then the pendula swing.", "bob 1 at 45 degrees left"),
-    "DC": (f"Write next: {HITS}. Then the bobs collide.", "bob 1 at 44 degrees right"),
+    "two functions": (f"Write next: {UNIFORM}; {SWING}. Then the pendula swing.", 0, -45),
+    "D": (f"Write next: {SWING}. Then the pendula swing.", 0, -45),
+    "DC": (f"Write next: {HITS}. Then the bobs collide.", 0, 44),
     "DCB": (
         "Write next: newton_cradle_tick, main in src/visualize_cradle_run.py. "
         "Here are the first two pendula alone: their bobs collide.",
-        "bob 2 at 44 degrees right",
+        1,
+        44,
     ),
-    "DCBA": ("", "bob 5 at 44 degrees right"),
+    "DCBA": ("", 4, 44),
 }
 
 
 @pytest.mark.parametrize("written", slow_except(["two functions", "DCB"], STAGES))
 def test_the_terminal_and_the_page_show_as_much_as_is_written(starter, written):
-    remark, bob = STAGES[written]
+    remark, bob, angle = STAGES[written]
     if written == "two functions":
         write(starter, "extract_and_convert", "make_newton_cradle")
     else:
@@ -88,8 +87,9 @@ def test_the_terminal_and_the_page_show_as_much_as_is_written(starter, written):
         return done.stdout.splitlines()
 
     first, *_, last = lines(TERMINAL, "--seconds", "0.5")
-    assert first.startswith(remark or "t = 0.00 s")
-    assert bob in last
+    assert first.startswith(remark or "   t (s)")
+    _, _, _, *angles = last.split()  # behind the time and the energy in %
+    assert float(angles[bob]) == pytest.approx(angle, abs=0.5)
     [page_remark] = lines("-c", PAGE)
     assert page_remark.startswith(remark)
     assert bool(page_remark) == bool(remark)

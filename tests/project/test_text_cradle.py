@@ -1,14 +1,10 @@
 """The program in the terminal: its lines in step with the clock, its data, and its end."""
 
-import os
 import re
-import signal
 import sys
 from contextlib import nullcontext
 from io import StringIO
-from math import radians
 from pathlib import Path
-from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pandas as pd
@@ -46,41 +42,36 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     seconds = 0.7 + PERIOD / 2  # after the hits have run through the row and back
     cradle = make_live()
     settings = settings_for(cradle, csv, [outwards_to_angle(30)], 1)
-    player = players.Lines(cradle, settings, SimpleNamespace(seconds=seconds))
+    player = players.Lines(cradle, settings, seconds)
     slept = []
     player.pace = RealTime(
         DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4))
     )
     players.run(cradle_main, player)
     assert sum(slept) == pytest.approx(seconds, abs=2 / 60)
-    printed = capsys.readouterr().out
-    times = [*(f"{0.5 * i:.2f}" for i in range(int(2 * seconds) + 1)), f"{seconds:.2f}"]
-    assert re.findall(r"(?m)^t = (.*?) s, ", printed) == times
-    for line in printed.splitlines():
-        assert re.search(r", energy (99\.9|100\.\d) %, bob (1 .* left|5 .* right)", line)
-    assert printed.startswith("t = 0.00 s, energy 100.0 %, bob 1 at 30 degrees left\n")
-    assert printed.index("hits: 1-2-3-4-5\n") < printed.index("hits: 5-4-3")
+    heading, first, *lines = capsys.readouterr().out.splitlines()
+    assert heading == "   t (s)      energy   angle of each bob (degrees, positive to the right)"
+    assert first == "    0.00     100.0 %   -30.0     0.0     0.0     0.0     0.0"
+    assert {len(line) for line in lines} == {len(first)}
+    times = [float(line.split()[0]) for line in lines]
+    assert times == [*(0.5 * i for i in range(1, int(2 * seconds) + 1)), round(seconds, 2)]
+    for line in lines:
+        _, energy, _, *angles = line.split()
+        assert float(energy) == pytest.approx(100, abs=0.1)
+        assert len(angles) == 5
+    assert min(float(line.split()[3]) for line in lines) < -10
+    assert max(float(line.split()[-1]) for line in lines) > 10
 
 
-def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(swing, capsys):
-    motion = swing().motion
-    motion.impacts.add(0.1, 0, 1, True)
-    motion.impacts.add(0.3, 3, 4, False)
-    motion.impacts.add(0.5, 1, 2, True, is_fast=False)
-    assert motion.summary().endswith(" left, hits: 5-4")
-    for number in range(9):
-        motion.impacts.add(0.7, number % 4, number % 4 + 1, True)
-    players.Lines.take_sample(SimpleNamespace(motion=motion))
-    line = capsys.readouterr().out
-    assert len(line) == 80 + 1
-    assert line.endswith("...\n")
-    motion.cradle.pend_list[1]["theta"] = radians(360 * 3 + 50)  # it has gone round three times
-    assert "bob 2 at 50 degrees right" in motion.summary()
-    motion.cradle.pend_list[2]["theta"] = radians(48)
-    assert "bobs 2, 3 at 50 degrees right" in motion.summary()
-    for pend in motion.cradle.pend_list:
-        pend["theta"] = 0.0
-    assert "bobs 1, 2, 3, 4, 5 at 0 degrees right" in motion.summary()
+def test_a_remark_about_the_run_is_printed_once(csv, capsys):
+    cradle = make_live()
+    player = players.Lines(cradle, settings_for(cradle, csv), 1.0)
+    player.pace = Mock(due=lambda most: most, frame_start=0.0, clock=lambda: 0.0)
+    player.pace.remark = lambda: "0.6x real time"
+    players.run(cradle_main, player)
+    _, remark, *lines = capsys.readouterr().out.splitlines()
+    assert remark == "0.6x real time"
+    assert [float(line.split()[0]) for line in lines] == [0, 0.5, 1]
 
 
 @pytest.mark.parametrize(
@@ -89,8 +80,9 @@ def test_a_line_has_the_latest_series_that_is_not_slow_and_at_most_80_columns(sw
 def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
     main, csv, monkeypatch, error, status
 ):
-    monkeypatch.setattr(players, "in_line", Mock(side_effect=error))
-    assert main(csv) == (status, "", "")
+    monkeypatch.setattr(players, "line_of", Mock(side_effect=error))
+    ended, _, err = main(csv)
+    assert (ended, err) == (status, "")
 
 
 def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
@@ -101,39 +93,6 @@ def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
     status, _, err = main(csv)
     assert status == 0
     assert re.match(r"swinging\.py, line \d+: .* in angle_update or .* or main never end\?\n$", err)
-
-
-# --- on a terminal --------------------------------------------------------------------------------
-
-
-def test_on_a_terminal_a_picture_moves_on_a_screen_of_its_own(main, csv, monkeypatch):
-    """Ctrl+Z would leave this screen to the shell. The last picture stays."""
-    monkeypatch.setattr(text_cradle_run, "has_terminal", lambda: True)
-    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop, _: (loop, REMARK))
-    ignore = Mock()
-    monkeypatch.setattr("signal.signal", ignore)
-    status, out, _ = main(csv, "--seconds", "0.12")
-    assert status == 0
-    before, _, pictures = out.partition(players.OWN_SCREEN)
-    assert before == ""
-    pictures, last = pictures.split(players.OLD_SCREEN)
-    times = re.findall(rf"\x1b\[H\x1b\[Kt = (\S+) s .*\n\x1b\[K{REMARK}\n", pictures)
-    assert times == ["0.00", "0.05", "0.10", "0.12"]
-    assert pictures.endswith("\n\x1b[KCtrl+C ends it.\x1b[J")
-    assert last.startswith("t = 0.12 s ")
-    if os.name == "posix":
-        ignore.assert_called_once_with(signal.SIGTSTP, signal.SIG_IGN)
-
-
-@pytest.mark.parametrize(
-    ("term", "is_terminal"), [("xterm", True), ("dumb", True), ("xterm", False)]
-)
-def test_only_a_terminal_that_can_move_its_cursor_shows_pictures(monkeypatch, term, is_terminal):
-    # Pytest -vv asks, too
-    monkeypatch.setattr(sys, "stdout", Mock(isatty=lambda: is_terminal, fileno=lambda: 1))
-    monkeypatch.setattr(sys, "__stdout__", sys.stdout)
-    monkeypatch.setenv("TERM", term)
-    assert players.has_terminal() == (is_terminal and term != "dumb")
 
 
 # --- the recorder ---------------------------------------------------------------------------------

@@ -1,7 +1,6 @@
 """A hidden value: nothing shows it, and the page says how far yours is off."""
 
 import json
-import re
 import sys
 
 import pytest
@@ -64,7 +63,6 @@ def test_nothing_on_the_page_shows_a_hidden_value(unknown, text):
     assert rig.state["bars"] is None
     assert rig.control("graph")["choices"] == ["Angles theta", NOTHING]
     assert "energy" not in rig.state["summary"]
-    assert re.fullmatch(r"t = \d\.\d\d s *", rig.viewer.motion.reading())  # in the terminal
     assert rig.state["setup"] == rig.state["same_cradle"] == ""
     rig.give("release_angle", 20)  # it stays hidden
     assert DIGITS not in json.dumps(rig.state)
@@ -138,7 +136,7 @@ def test_lines_and_recorded_data_do_not_show_it(tmp_path, monkeypatch, capsys):
     assert rows
     shown = capsys.readouterr().out
     assert "energy" not in shown
-    assert "t = 0.00 s, bob 1 at 45 degrees left" in shown
+    assert "0.00   -45.0     0.0     0.0\n" in shown
 
 
 # What one reads in the hits, velocities before and after (m/s): v and v' of the left bob, w and w'

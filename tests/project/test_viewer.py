@@ -4,7 +4,7 @@ from unittest.mock import Mock
 
 import pytest
 from rig import Rig
-from whole_cradles import FIVE_CSV, GOOD, HEADER, PERIOD
+from whole_cradles import FIVE_CSV, GOOD, HEADER
 
 from src import visualize_cradle_run
 from support.constants import G, R_PARAM
@@ -188,14 +188,3 @@ def test_the_page_says_that_gravity_and_the_cord_are_constants_and_where(rig):
     words = rig.state["constants"]
     assert words.startswith(f"Gravity (G = {G} m/s^2), the length of a cord (R_PARAM = {R_PARAM} ")
     assert " are constants of the program, in support/constants.py. The page cannot " in words
-
-
-def test_the_impacts_until_a_restart(rig):
-    rig.wait(0.9 * PERIOD)
-    last, first = rig.state["impacts"]
-    assert last.endswith(" s  5-4-3-2-1")
-    assert first.startswith(f"t = {PERIOD / 4:.1f}")
-    rig.give("restart")
-    assert rig.time() == 0
-    assert rig.bob_angles() == [30, 0, 0, 0, 0]
-    assert rig.state["impacts"] == []

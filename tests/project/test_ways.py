@@ -97,7 +97,7 @@ class Listener(Player):
     """Plays two cradles after each other, and keeps the hits of each."""
 
     def __init__(self, cradle, csv):
-        super().__init__(cradle, settings_for(cradle, csv), impacts=9, step_seconds=0.01)
+        super().__init__(cradle, settings_for(cradle, csv), step_seconds=0.01)
         self.cradles = []  # the hits of each
 
     def looks_at_hits(self):

@@ -152,9 +152,6 @@ class Swing(Player):
         pend = self.held_bob.pend_of(bob)
         move(pend, cord_angles(pend), R_PARAM)
 
-    def impacts(self):
-        return self.motion.impacts.lines()
-
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
         filepath = self.next_cradle.settings.csv.filepath
@@ -169,9 +166,7 @@ def settings_for(cradle, file, angles=(None,), lifted=None) -> Settings:
     return Settings(pendula, [*angles], lifted, cradle.e_source, cradle.mass)
 
 
-def make_swing(
-    folder, csv=FIVE_CSV, angle=30, lift=1, impacts=4, kind=Cradle, phi=20, **options
-) -> Swing:
+def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, **options) -> Swing:
     """Write this CSV to the folder; return a player of its cradle with these options.
 
     It is released from angle and phi (degrees).
@@ -180,7 +175,7 @@ def make_swing(
     file = folder / "cradle.csv"
     file.write_text(csv)
     cradle = make_live(kind, **options)
-    player = Swing(cradle, settings_for(cradle, file, angles, lift), impacts, 1e9)
+    player = Swing(cradle, settings_for(cradle, file, angles, lift), 1e9)
     go_on(player)
     return player
 
@@ -196,7 +191,7 @@ def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_on
     """Return the hits of many_ticks with these constants, as numbers, or None."""
     scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
     hits = many_ticks.many_ticks(scope, pend_list, ticks, {"approaching_only": approaching_only})
-    return None if hits is None else [hit[:5] for hit in hits]
+    return None if hits is None else [hit[:4] for hit in hits]
 
 
 def do_one_by_one(
@@ -215,7 +210,7 @@ def do_one_by_one(
         if (pend1["omega"], pend2["omega"]) != before:
             left, right = places[id(pend1)], places[id(pend2)]
             speed = (velocity1 - velocity2) * r_param
-            hits.append((tick, left, right, velocity1 + velocity2 > 0, speed))
+            hits.append((tick, left, right, speed))
 
     with patch.object(visualize_cradle_run, "handle_two_bobs", handle_two_bobs):
         for tick in range(1, ticks + 1):  # noqa: B007  for the hits
