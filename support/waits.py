@@ -5,8 +5,11 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from support.headless_vector import nothing
 from support.root import SRC
+
+
+def nothing(*_: object, **__: object) -> None: ...
+
 
 calls: dict[tuple[str, int], str] = {}  # the name of what was called, by the file and line
 

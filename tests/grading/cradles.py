@@ -97,7 +97,7 @@ def left_over(old: set[int], parts: list) -> int:
     known = old | set(map(id, parts))
     count = 0
     for shape in scene.objects:
-        if id(shape) not in known and kind_of(shape) in kinds:
+        if shape.visible and id(shape) not in known and kind_of(shape) in kinds:
             count += 1
     return count
 

@@ -83,7 +83,7 @@ def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool 
 
 
 def pytest_pycollect_makeitem(collector: pytest.Collector, name: str, obj: object) -> "Item | None":
-    if getattr(obj, "is_check", False):
+    if getattr(obj, "is_check", False) is True:
         return Item.from_parent(collector, name=name, check=CHECKS[name])
     return None
 

@@ -164,7 +164,7 @@ RIGHT = {
             while page.is_running():
                 rate(1 / DT)
                 newton_cradle_tick(cradle, R_PARAM, DT, G)
-                name.text = f'cradle, from {mag(scene.camera.pos):.1f} m'""",
+                name.text = f'cradle of {len(cradle)}'""",
         "a CSV of its own first": ("pend_list = make_newton_cradle(page.csv", "from src.pds_helper import write_to_csv\n        write_to_csv([{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)])\n        pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP"),
         "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
     },
