@@ -22,7 +22,7 @@ TICK = Cradle.dt / PERIOD  # in small swings
 
 def measured(experiment, kind):
     """Measure this experiment."""
-    player = Swing(make_live(kind), settings_of(experiment), 4, 1e9)
+    player = Swing(make_live(kind), settings_of(experiment), 1e9)
     go_on(player)
     player.cradle.pose(experiment.poses)
     player.motion.restart()
