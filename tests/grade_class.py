@@ -4,31 +4,25 @@ Each submission has a pytest of its own and, without --here, a container.
 """
 
 import os
-import signal
-import sys
-
-if __name__ == "__main__":
-    signal.signal(signal.SIGINT, lambda *_: os._exit(130))  # while the modules are imported
-    sys.path.insert(0, os.path.dirname(__file__))  # with PYTHONSAFEPATH, Python does not
-
 import shutil
+import sys
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+if __name__ == "__main__":
+    sys.path.insert(0, os.path.dirname(__file__))  # with PYTHONSAFEPATH, Python does not
+
 import grading.begin  # noqa: F401
 
-from support.files.cradle_csv import naming
-from support.files.data_file import whole_file
 from support.start.early import on_signals
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, progress_bar, while_it_is_read
-from teacher.cluster import Collected, write_packages
 from teacher.containers import find_engine
-from teacher.report import digest_of, line_of, own_folder, Report, results_in, write_gradescope
-from teacher.runners import Here, package, READ_OR_START, Runner
+from teacher.report import own_folder, Report
+from teacher.runners import Here, READ_OR_START
 from teacher.submissions import read_submission, submissions_in
 
 LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
@@ -51,54 +45,25 @@ def main() -> None:
         stopped.set()
 
     on_signals(stop)
-    file = options.out / "results.jsonl"
+    report = Report(options.out, options.gradescope)
     with TemporaryDirectory(prefix="cradle-") as work:
         folder = Path(work, "starter")
         starter = copy_starter(options.starter, folder)
-        version = digest_of(starter)
-        runner = runner_for(options, folder, version, stopped)
-        grading = Grading(submitted, starter, version, file, runner, stopped)
-        left = grading.keep_old()
-        if stopped.is_set():
-            sys.exit(*status)
-        if options.pack:
-            grading.pack_all(left, options.pack)
-            sys.exit(*status)
-        grading.grade_all(left)
-    report = Report()
-    for results in (results_in(file), grading.without_grade):
-        for result in results:
-            report.add(options.out, result)
-            if options.gradescope:
-                write_gradescope(options.gradescope / result["student"], result)
-    report.write(options.out)
-    count = len(report.rows) - len(grading.without_grade)
-    graded = f"{count} of {len(submitted)} solutions are graded"
-    if status:
-        print(f"{graded}. The same command goes on from there.")
-        sys.exit(*status)
-    print(*report.summary(), sep="\n")
+        runner = Here(folder) if options.here else find_engine(folder, starter, stopped)
+        try:
+            Grading(submitted, starter, runner, report, stopped).grade_all()
+        finally:
+            if report.rows:  # or an older table stays
+                report.write()
+                print(*report.summary(len(submitted)), sep="\n")
     if others:
-        print(f"\nNo submissions: {in_one_line(', '.join(others))}")
-    file = in_one_line(options.out / "grades.csv")
-    print(f"\n{graded}: {file}, and a text for each student next to it")
-
-
-def runner_for(options, folder, version, stopped) -> Runner:
-    """Return what runs the solutions, with the starter in this folder. Raises an OSError without an
-    engine."""
-    if options.collect:
-        return Collected(version, options.collect)
-    if options.here:
-        return Here(folder)
-    return find_engine(folder, version, stopped)
+        print(f"No submissions: {in_one_line(', '.join(others))}")
+    sys.exit(*status)
 
 
 def read_options():
     """Return the options, the submissions by the student's key, and the names of all others."""
-    parser = OneLineParser(
-        description="Grade a whole class. Started again, it goes on from there.", allow_abbrev=False
-    )
+    parser = OneLineParser(description="Grade a whole class.", allow_abbrev=False)
     add = parser.add_argument
     add(
         "submissions",
@@ -124,10 +89,7 @@ def read_options():
         type=Path,
         help="a starter that is already made (default: a new one)",
     )
-    add = parser.add_mutually_exclusive_group().add_argument
     add("--here", action="store_true", help="run the solutions on this machine, without containers")
-    add("--pack", metavar="FOLDER", type=Path, help="write the solutions for a cluster, and stop")
-    add("--collect", metavar="FOLDER", type=Path, help="take the grades of a cluster from there")
     options = parser.parse_args()
     folder = options.submissions.resolve()
     options.out = options.out or folder.with_name(f"{folder.name}-grades")
@@ -137,19 +99,13 @@ def read_options():
         parser.error(f"argument SUBMISSIONS: {options.submissions}: {error.strerror}")
     except ValueError as error:
         parser.error(f"argument SUBMISSIONS: {error}")
-    for name in ("out", "gradescope", "pack"):
-        path = getattr(options, name)
+    for name, path in (("out", options.out), ("gradescope", options.gradescope)):
         if path and path.resolve().is_relative_to(folder):
             allowed = "a folder outside of SUBMISSIONS"
             parser.error(f"argument --{name}: found '{path}', allowed is {allowed}")
     if options.starter and not (options.starter / "tests" / "grading").is_dir():
         allowed = "a folder made by make_starter.py"
         parser.error(f"argument --starter: found '{options.starter}', allowed is {allowed}")
-    if options.pack and options.pack.exists() and any(options.pack.iterdir()):
-        parser.error(f"argument --pack: found '{options.pack}', allowed is a new or empty folder")
-    if options.collect and not (options.collect / "packages.txt").is_file():
-        allowed = "a folder made with --pack"
-        parser.error(f"argument --collect: found '{options.collect}', allowed is {allowed}")
     return options, submitted, others
 
 
@@ -176,38 +132,29 @@ def copy_starter(starter, folder) -> dict[str, bytes]:
 
 
 class Grading:
-    """The grades of a class.
+    """Grades a class by a runner, and gives the results to a report."""
 
-    results.jsonl keeps each whole one, so the next run grades only what is new or changed.
-    """
-
-    def __init__(self, submitted, starter, version, file, runner, stopped):
+    def __init__(self, submitted, starter, runner, report, stopped):
         self.submitted = submitted  # by the student's key
         self.starter = starter  # its files by their paths
-        self.version = version  # of the starter and what runs it
-        self.file = file
         self.runner = runner
+        self.report = report
         self.stopped = stopped  # set once no more solutions are graded
         self.lock = threading.Lock()
         self.unsure: list[str] = []  # students whose run something beside it may have changed
-        self.without_grade: list[dict] = []  # results
-        self.done = 0  # students who have a result now
 
-    def grade_all(self, left) -> None:
-        """Grade these students, one on each core; then those that are unsure again, each alone."""
-        if not left:
-            return
+    def grade_all(self) -> None:
+        """Grade all students, one on each core; then those that are unsure again, each alone."""
         with ThreadPoolExecutor(self.runner.cores) as workers, progress_bar() as self.progress:
-            self.most = len(left)
-            self.finish([workers.submit(self.get_ready, self.runner.open)])
-            self.finish([workers.submit(self.grade, student) for student in left])
+            self.finish([workers.submit(self.open)])
+            self.finish([workers.submit(self.grade, student) for student in self.submitted])
             for student in sorted(self.unsure):
                 self.finish([workers.submit(self.grade, student, is_last=True)])
 
-    def get_ready(self, act) -> None:
-        """Open the runner, or build its image, by this; if the class is stopped, this may fail."""
+    def open(self) -> None:
+        """Open the runner; if the class is stopped, this may fail."""
         try:
-            act()
+            self.runner.open()
         except OSError:
             if not self.stopped.is_set():
                 raise
@@ -226,62 +173,12 @@ class Grading:
         for future in futures:
             future.result()
 
-    def pack_all(self, students, folder) -> None:
-        """Write packages of the starter and of these students for a cluster."""
-        with ThreadPoolExecutor(1) as workers:
-            self.finish([workers.submit(self.get_ready, self.runner.build)])
-            self.finish([workers.submit(self.pack, students, folder)])
-
-    def pack(self, students, folder) -> None:
-        """Read these students' submissions, and write the packages."""
-        packages = [package({})]
-        for student in students:
-            if self.stopped.is_set():
-                return
-            files, _ = self.read(student)
-            packages.append(package(files))
-        if self.stopped.is_set():
-            return
-        write_packages(folder, self.version, packages)
-        jobs = f"the starter and {len(students)} solutions, for the jobs 0 to {len(students)}"
-        print(in_one_line(f"{folder} has {jobs} in the image {self.runner.image}."))
-
-    def keep_old(self) -> list[str]:
-        """Let results.jsonl have only the results that still hold; return the students without one.
-
-        If somebody stops the program while it reads the submissions, results.jsonl stays as it is.
-        """
-        digests = {}
-        for student in self.submitted:
-            if self.stopped.is_set():
-                return []
-            digests[student] = self.digest(student, self.read(student))
-        old = results_in(self.file)
-        with whole_file(self.file) as kept:
-            for result in old:
-                student = result["student"]
-                if student not in self.submitted:  # it is gone
-                    self.file.with_name(f"{student}.txt").unlink(missing_ok=True)
-                elif digests.get(student) == result["digest"]:
-                    kept.write(line_of(result))
-                    del digests[student]
-        return [*digests]
-
-    def read(self, student) -> tuple[dict[str, bytes], list[str]]:
-        """Return a student's files, and the problems with them, as read_submission does."""
-        with READ_OR_START:
-            return read_submission(self.submitted[student], self.starter)
-
-    def digest(self, student, submission) -> str:
-        """Return a hash of what a result depends on."""
-        return digest_of(self.version, student, *submission)
-
     def grade(self, student, is_last=False) -> None:
-        """Grade a student, and keep the result if it is sure, or is the last one."""
+        """Grade a student, and report the result if it is sure, or is the last one."""
         if self.stopped.is_set():
             return
-        submission = self.read(student)
-        files, problems = submission
+        with READ_OR_START:
+            files, problems = read_submission(self.submitted[student], self.starter)
         begin = time.monotonic()
         run = self.runner.run(files)
         seconds = time.monotonic() - begin
@@ -290,28 +187,11 @@ class Grading:
         if not (run.is_final or is_last):
             self.unsure.append(student)
             return
-        result = {
-            "student": student,
-            "digest": self.digest(student, submission),
-            "seconds": seconds,
-            **run.grade,
-        }
-        result["problems"] = [*problems, run.problem] if run.problem else problems
+        if run.problem:
+            problems.append(run.problem)
         with self.lock:
-            self.keep(result, has_grade=not run.problem)
-
-    def keep(self, result, has_grade) -> None:
-        """Keep a result: in results.jsonl only if it has a grade.
-
-        So a run without one is made again.
-        """
-        if has_grade:
-            with naming(self.file), open(self.file, "a", encoding="utf-8") as kept:
-                kept.write(line_of(result))
-        else:
-            self.without_grade.append(result)
-        self.done += 1
-        self.progress(self.done / self.most)
+            self.report.add(student, seconds, problems, run.grade)
+            self.progress(len(self.report.rows) / len(self.submitted))
 
 
 if __name__ == "__main__":

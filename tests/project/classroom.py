@@ -17,7 +17,6 @@ from students import put_files
 
 from grading.handout import SUITES
 from teacher.containers import find_engine
-from teacher.report import digest_of, TABLES
 
 FAST = """
 import grade_class
@@ -33,8 +32,6 @@ GRADE = {
             "tier": "D",
             "state": "waiting",
             "message": "",
-            "place": "",
-            "hint": "",
         }
     },
     "tiers": {tier: {"of": 1} for tier in SUITES},
@@ -43,7 +40,7 @@ GRADE = {
     "final": True,
 }
 # In place of each run, for what a class does with its end
-AT_ONCE = f"runners.Processes.run_package = lambda *_: (1, {json.dumps(GRADE).encode()})\n"
+AT_ONCE = f"runners.Runner.run_package = lambda *_: (1, {json.dumps(GRADE).encode()})\n"
 
 SLEEPING = f"{10**9 + os.getpid()}"  # seconds that no other process sleeps
 # A solution that leaves a process, which no group has.
@@ -68,13 +65,9 @@ def left_processes() -> list[Path]:
 
 
 def rows_in(folder) -> dict[str, dict]:
-    """Return the rows of grades.csv by student; those of the table with semicolons are the same."""
-    commas, semicolons = [
-        [*csv.DictReader((folder / name).read_text("utf-8-sig").splitlines(), delimiter=delimiter)]
-        for name, delimiter in TABLES.items()
-    ]
-    assert commas == semicolons
-    return {row["student"]: row for row in commas}
+    """Return the rows of grades.csv by student."""
+    lines = (folder / "grades.csv").read_text("utf-8-sig").splitlines()
+    return {row["student"]: row for row in csv.DictReader(lines)}
 
 
 class Classroom:
@@ -112,12 +105,6 @@ class Classroom:
     def rows(self):
         return rows_in(self.grades)
 
-    def results(self):
-        """Return the results in results.jsonl by student."""
-        lines = (self.grades / "results.jsonl").read_text(encoding="utf-8").splitlines()
-        results = map(json.loads, lines)
-        return {result["student"]: result for result in results}
-
     def require_clean(self):
         """Require that the program has left no folder and no process."""
         assert os.listdir(self.work) == []
@@ -137,9 +124,9 @@ def engine(made, tmp_path_factory):
     Where CRADLE_BASE names an image to build on, there must be one.
     """
     folder = tmp_path_factory.mktemp("image") / "starter"
-    version = digest_of(copy_starter(made, folder))
+    starter = copy_starter(made, folder)
     try:
-        engine = find_engine(folder, version, Event())
+        engine = find_engine(folder, starter, Event())
         engine.build()
     except OSError as error:
         if "CRADLE_BASE" in os.environ:

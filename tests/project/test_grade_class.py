@@ -2,7 +2,6 @@
 
 import json
 import os
-import re
 import shutil
 import signal
 import stat
@@ -58,30 +57,10 @@ def test_a_class_is_graded_in_tables_and_texts(classroom, solved):
     assert "your code   line by line" in texts["bea"]
     assert problem in texts["dan"]
     assert "UTF-8" in texts["eve"]
-    hint = r"^    1  This is the result with \+ in front .*\. \(angle_update\)$"
-    assert re.search(hint, printed, re.MULTILINE)
     assert "Honor roll           1\n" in printed
+    done = f"4 of 4 solutions are in {classroom.grades}/grades.csv, with a text for each student"
+    assert printed.endswith(f"{done} next to it\n")
     classroom.require_clean()
-
-
-def test_the_program_goes_on_and_forgets_who_is_gone(classroom):
-    """The results of ann and dan are damaged, and bea is gone."""
-    for student in ("ann", "bea", "dan", "eve"):
-        classroom.hand_in(student, {"a.txt": b""})
-    classroom.grade(first=AT_ONCE)
-    before = classroom.results()
-    file = classroom.grades / "results.jsonl"
-    ann, bea, dan, eve = sorted(file.read_text().splitlines())
-    changed = ann.replace('"waiting"', '"excellent"')
-    file.write_text("\n".join([changed, "[" * 100_000, ann[:99], bea, eve, dan[:20]]))
-    shutil.rmtree(classroom.folder / "class" / "bea")
-    classroom.grade(first=AT_ONCE)
-    results = classroom.results()
-    assert [*classroom.rows()] == sorted(results) == ["ann", "dan", "eve"]
-    assert len(file.read_text().splitlines()) == 3
-    assert results["ann"]["checks"] == before["ann"]["checks"]
-    assert results["eve"] == before["eve"]
-    assert not (classroom.grades / "bea.txt").exists()
 
 
 # Some runs are spoiled from outside, the first time.
@@ -111,7 +90,7 @@ def test_a_run_that_is_not_final_is_made_once_more_alone(classroom):
     classroom.hand_in("bea", {"swinging.py": "", "spoiled.py": late})
     classroom.hand_in("cem", {"swinging.py": ""})
     _, printed, _ = classroom.grade(first=SPOILED)
-    assert sorted(classroom.results()) == ["ann", "bea", "cem"]
+    assert [*classroom.rows()] == ["ann", "bea", "cem"]
     assert printed.endswith(f"{[killed, late, None, killed, late]}\n")
 
 
@@ -126,14 +105,16 @@ IN_CONTAINERS = pytest.mark.slow, pytest.mark.xdist_group("engine")
 def test_an_interrupted_class_leaves_no_folder_and_no_process(
     classroom, request, is_contained, name
 ):
-    endless = "while True: pass"
+    endless = "import time\nwhile True:\n    try: time.sleep(999)\n    except BaseException: pass"
     if is_contained:
         request.getfixturevalue("engine")
         classroom.how = []
         endless = f"{LEAVES}\n{endless}"
-    for student in range(8):
-        classroom.hand_in(f"{student}", {"pds_helper.py": endless})
-    process = classroom.start()
+    classroom.hand_in("ann", {"a.txt": ""})
+    for student in ("bea", "cem", "dan"):
+        classroom.hand_in(student, {"pds_helper.py": endless})
+    process = classroom.start(first="one_run.SECONDS = 999")
+    wait_until((classroom.grades / "ann.txt").exists)
     wait_until(left_processes if is_contained else lambda: [*classroom.work.glob("*/project/src")])
     number = getattr(signal, name)
     for _ in range(3):
@@ -141,7 +122,9 @@ def test_an_interrupted_class_leaves_no_folder_and_no_process(
     status, printed, errors = end(process)
     assert status == 128 + number, errors
     assert "Traceback" not in errors
-    assert printed.endswith(" of 8 solutions are graded. The same command goes on from there.\n")
+    assert [*classroom.rows()] == ["ann"]
+    assert "\n1 of 4 solutions are in " in printed
+    assert printed.endswith("\nMissing: 3\n")
     classroom.require_clean()
 
 
@@ -187,17 +170,15 @@ def test_without_a_container_one_line_says_why(classroom, monkeypatch, run, scri
 
 
 @on_posix
-@pytest.mark.parametrize("options", [[], ["--pack", "packed"]])
-def test_ctrl_c_ends_the_building_of_the_image(classroom, monkeypatch, options):
+def test_ctrl_c_ends_the_building_of_the_image(classroom, monkeypatch):
     classroom.hand_in("ann", {"a.txt": ""})
     put_engine(
         classroom, monkeypatch, WITHOUT_IMAGE.replace("*)", "build) exec sleep 999 ;;\n    *)")
     )
-    process = classroom.start(*options)
+    process = classroom.start()
     assert "is built once" in process.stdout.readline()
     process.send_signal(signal.SIGINT)
-    status, _, errors = end(process)
-    assert (status, errors) == (130, "")
+    assert end(process) == (130, "", "")
     classroom.require_clean()
 
 
@@ -217,54 +198,6 @@ esac
     put_engine(classroom, monkeypatch, runs_once)
     assert classroom.grade() == (2, "", "podman: it does not run: is down\n")
     classroom.require_clean()
-
-
-@on_posix
-def test_a_cluster_grades_what_is_packed_and_its_grades_are_collected(
-    classroom, solved, monkeypatch
-):
-    classroom.hand_in("ann", solved)
-    classroom.hand_in("bea", with_a_mistake(solved))
-    put_engine(classroom, monkeypatch, ENGINE)
-    status, printed, errors = classroom.grade("--pack", "packed")
-    assert (status, errors) == (0, "")
-    jobs = "the starter and 2 solutions, for the jobs 0 to 2"
-    assert f"packed has {jobs} in the image localhost/cradle-grader:" in printed
-
-    packed = classroom.folder / "packed"
-    with zipfile.ZipFile(packed / "1" / "submission.zip") as package:
-        assert package.read("src/swinging.py") == solved["swinging.py"]
-    put_files(packed, dict.fromkeys(["0/grade.json", "1/grade.json"], json.dumps(GRADE)))
-    (packed / "2" / "grade.json").symlink_to(packed / "0" / "grade.json")
-    status, _, errors = classroom.grade("--collect", "packed")
-    assert (status, errors) == (0, "")
-    rows = classroom.rows()
-    problem = "no grade: packed/2/grade.json is not there, or no plain file"
-    assert rows["bea"]["problems"] == problem
-    assert [*classroom.results()] == ["ann"]
-
-    classroom.hand_in("ann", {"swinging.py": b"# later"})
-    classroom.grade("--collect", "packed")
-    problem = classroom.rows()["ann"]["problems"]
-    assert problem.endswith("no grade: packed has no package of it, or is of another version")
-
-
-@pytest.mark.slow
-@pytest.mark.xdist_group("engine")
-def test_an_engine_of_another_machine_grades_as_well(classroom, solved, engine, monkeypatch):
-    """podman is its own server, here at a file of this machine."""
-    if engine.program != "podman":
-        pytest.skip("only podman serves at a file")
-    address = f"unix://{classroom.work}/podman"
-    with subprocess.Popen(["podman", "system", "service", "--time=0", address]) as server:
-        wait_until(lambda: os.listdir(classroom.work))
-        monkeypatch.setenv("CONTAINER_HOST", address)
-        classroom.hand_in("ann", solved)
-        classroom.how = []
-        status, _, errors = classroom.grade()
-        server.terminate()
-    assert (status, errors) == (0, "")
-    assert classroom.rows()["ann"]["grade"] == "Honor roll"
 
 
 @on_posix
@@ -301,10 +234,6 @@ def run(monkeypatch, capfd):
         (grade_class, "class --out class/grades", "--out: found 'class/grades'"),
         (grade_class, "class --starter class", "--starter: found 'class'"),
         (grade_class, "class --out file.zip", "file.zip: allowed is a new folder"),
-        (grade_class, "class --pack class/packed", "--pack: found 'class/packed'"),
-        (grade_class, "class --pack .", "--pack: found '.', allowed is a new or empty folder"),
-        (grade_class, "class --collect class", "--collect: found 'class', allowed is a folder"),
-        (grade_class, "class --collect class --here", "--here: not allowed with"),
         (make_autograder, "file.zip", "FILE.zip: found 'file.zip'"),
         (make_autograder, "cradle.tar", "FILE.zip: found 'cradle.tar'"),
         (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip: cannot be written: "),

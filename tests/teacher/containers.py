@@ -1,11 +1,11 @@
 """A container for each submission, by podman or Docker: what it may reach, and what it may take.
 
 A solution has no network, and sees no file of the machine. What it writes is not kept. Its files
-come on stdin, and its grade goes to stdout, so the engine can be that of another machine. The first
-process is timeout: no signal of a solution ends or stops it. By ptrace, a solution can stop it, so
-the time is also counted from outside.
+come on stdin, and its grade goes to stdout. The first process is timeout: no signal of a solution
+ends or stops it. By ptrace, a solution can stop it, so the time is also counted from outside.
 """
 
+import hashlib
 import os
 import re
 import shutil
@@ -14,8 +14,7 @@ import sys
 
 from support.start.output import say
 from teacher import one_run
-from teacher.report import digest_of
-from teacher.runners import APART, Processes, READ_OR_START, SPARE
+from teacher.runners import APART, READ_OR_START, Runner, SPARE
 
 # How an engine says how many cores and bytes of memory it has: mostly those of a virtual machine
 SIZES = {
@@ -75,14 +74,15 @@ def size_of(program) -> tuple[int, int]:
     return int(found[1]), int(found[2])
 
 
-class Engine(Processes):
+class Engine(Runner):
     """Runs each pytest in a container, by this program: podman or docker."""
 
-    def __init__(self, folder, version, stopped, program, cores, memory):
-        """version is that of the files in this folder; stopped, an Event, is set by Ctrl+C."""
+    def __init__(self, folder, starter, stopped, program, cores, memory):
+        """starter has the files in this folder by their paths; Ctrl+C sets stopped, an Event."""
         super().__init__(folder)
         self.stopped = stopped
-        self.image = f"localhost/cradle-grader:{digest_of(version, BASE)[:16]}"
+        version = hashlib.sha256(repr((starter, BASE)).encode()).hexdigest()[:16]
+        self.image = f"localhost/cradle-grader:{version}"
         self.program = program
         self.cores = cores
         share = min(MEMORY, memory // (cores + 1))
@@ -140,14 +140,16 @@ class Engine(Processes):
         super().end_all()
 
 
-def find_engine(folder, version, stopped) -> Engine:
-    """Return the first engine that runs, for the starter in this folder; raise an OSError without
-    one."""
+def find_engine(folder, starter, stopped) -> Engine:
+    """Return the first engine that runs, for the starter in this folder, with these files.
+
+    Raises an OSError without one.
+    """
     error = OSError(0, f"none is installed: {INSTALL.get(sys.platform, 'podman.io')}", "podman")
     for program in SIZES:
         if shutil.which(program):
             try:
-                return Engine(folder, version, stopped, program, *size_of(program))
+                return Engine(folder, starter, stopped, program, *size_of(program))
             except OSError as found:
                 error = found
     raise error

@@ -67,7 +67,8 @@ def main(seconds=SECONDS) -> int:
 def environment() -> dict[str, str]:
     """Return the environment of pytest, without settings of Python and of pytest."""
     kept = {name: os.environ[name] for name in os.environ if not name.startswith("PY")}
-    return kept | SETTINGS
+    # If pytest is killed, its temporary files go with the working directory
+    return kept | SETTINGS | {"TMPDIR": os.getcwd()}
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
-"""The grade that a run of pytest has written, and the tables and the summary of a class."""
+"""The grade that a run of pytest has written, and the table and the texts of a class."""
 
 import csv
-import hashlib
 import json
 import os
 import re
@@ -13,14 +12,13 @@ from grading.handout import highest, SUITES
 from support.files.data_file import whole_file
 from support.start.output import in_one_line
 
-KEPT = "state", "message", "place", "hint"  # of what a run says of a check
+KEPT = "state", "message"  # of what a run says of a check
 MOST_LETTERS = 10_000  # of a text
 MOST_LINES = 200  # of a text
 MOST_OF_CELL = 2000  # letters of a cell
-# The begin of one: of a cell, or where a spreadsheet splits it at the delimiter of the other table.
-# Some read wide signs as well.
-FORMULA = re.compile(r"(^|[,;])(\s*[=+\-@\uff1d\uff0b\uff0d\uff20])")
-TABLES = {"grades.csv": ",", "grades_semicolons.csv": ";"}  # the delimiter of each
+# The begin of one: of a cell, or where a spreadsheet in many countries splits it. Some read wide
+# signs as well.
+FORMULA = re.compile(r"(^|;)(\s*[=+\-@\uff1d\uff0b\uff0d\uff20])")
 
 
 def read_grade(empty, output) -> dict | None:
@@ -71,28 +69,6 @@ def safe(text) -> str:
     return "\n".join(map(in_one_line, lines))
 
 
-def results_in(file):
-    """Yield the results in results.jsonl, without lines that are damaged or of another version."""
-    if not file.exists():
-        return
-    with open(file, encoding="utf-8", errors="replace") as lines:
-        for line in lines:
-            with suppress(Exception):
-                result = json.loads(line)
-                if result.pop("sum") == digest_of(result):
-                    yield result
-
-
-def line_of(result) -> str:
-    """Return a result as a line of results.jsonl, with a check sum."""
-    return json.dumps({**result, "sum": digest_of(result)}) + "\n"
-
-
-def digest_of(*values) -> str:
-    """Return a hash of the values."""
-    return hashlib.sha256(repr(values).encode()).hexdigest()
-
-
 def own_folder(folder) -> None:
     """Make a folder that only this user can read and write, or let one be so.
 
@@ -120,23 +96,23 @@ def cell(text) -> str:
 
 
 class Report:
-    """The files of a class, written as its results come; and the counts for the summary."""
+    """The files of a class: a text for each student as the results come, and a table in the end."""
 
-    def __init__(self):
+    def __init__(self, folder, gradescope):
+        self.folder = folder
+        self.gradescope = gradescope  # the folder for Gradescope, or None
         self.rows = []
         self.grades = Counter()
-        self.failed = Counter()  # checks
-        self.hints = Counter()  # that a student sees: of the first check that fails
+        self.file = folder / "grades.csv"
 
-    def add(self, folder, result) -> None:
-        """Write a student's text into a folder, and take what the tables need.
+    def add(self, student, seconds, problems, result) -> None:
+        """Write a student's text, and take what the table needs. Raises an OSError if this fails.
 
-        Raises an OSError if this fails.
+        result is as read_grade returns it.
         """
-        student = result["student"]
-        problems = result["problems"]
-        points = [*result["points"].values()]
         grade = result["grade"] or "none"
+        self.grades[grade] += 1
+        points = [*result["points"].values()]
         self.rows.append(
             [
                 cell(student),
@@ -144,58 +120,38 @@ class Report:
                 *points,
                 sum(points),
                 cell(result["next"]),
-                round(result["seconds"]),  # "1.5" is the first of May in some countries
+                round(seconds),  # "1.5" is the first of May in some countries
                 cell(". ".join(problems)),
             ]
         )
         text = "\n".join([student, *problems, "", result["text"], ""])
-        with whole_file(folder / f"{student}.txt") as out:
+        with whole_file(self.folder / f"{student}.txt") as out:
             out.write(text.encode(errors="backslashreplace").decode())
-        self.grades[grade] += 1
-        is_first = True
-        for name, check in result["checks"].items():
-            if check["state"] == "failed":
-                self.failed[f"{name} ({check['function']})"] += 1
-                if is_first and check["hint"]:
-                    self.hints[f"{check['hint']} ({check['function']})"] += 1
-                is_first = False
+        if self.gradescope:
+            write_gradescope(self.gradescope / student, seconds, problems, result)
 
-    def write(self, folder) -> None:
-        """Write the tables, with a line for each student. Raises an OSError if this fails.
+    def write(self) -> None:
+        """Write the table, with a line for each student. Raises an OSError if this fails."""
+        with whole_file(self.file) as out:
+            out.write("\ufeff")  # Excel then reads it as UTF-8
+            writer = csv.writer(out)
+            writer.writerow(["student", "grade", *SUITES, "points", "next", "seconds", "problems"])
+            writer.writerows(sorted(self.rows))
 
-        By double click, Excel opens only the one with the list separator of its country. A first
-        line "sep=," would tell it, but other programs would read it as the names of the columns.
-        """
-        for name, delimiter in TABLES.items():
-            with whole_file(folder / name) as out:
-                out.write("\ufeff")  # Excel then reads it as UTF-8
-                writer = csv.writer(out, delimiter=delimiter)
-                writer.writerow(
-                    ["student", "grade", *SUITES, "points", "next", "seconds", "problems"]
-                )
-                writer.writerows(sorted(self.rows))
-
-    def summary(self) -> list[str]:
-        """Return the lines that a teacher reads in the end."""
+    def summary(self, count) -> list[str]:
+        """Return the lines that a teacher of a class of this count reads in the end."""
         lines = ["grade        solutions"]
         for grade in [*reversed(SUITES), "none"]:
             lines.append(f"{grade:<12} {self.grades[grade]:>9}")
-        lines += most_common("Checks that most solutions fail", self.failed)
-        lines += most_common("Hints that most students see", self.hints)
+        lines.append("")
+        done = f"{len(self.rows)} of {count} solutions are in {self.file}"
+        lines.append(in_one_line(f"{done}, with a text for each student next to it"))
+        if len(self.rows) < count:
+            lines.append(f"Missing: {count - len(self.rows)}")
         return lines
 
 
-def most_common(title, counts: Counter) -> list[str]:
-    """Return a title and the texts with the highest counts; nothing without a count."""
-    if not counts:
-        return []
-    lines = ["", title]
-    for text, count in counts.most_common(5):
-        lines.append(f"{count:>5}  {in_one_line(text)[:150]}")
-    return lines
-
-
-def write_gradescope(folder, result) -> None:
+def write_gradescope(folder, seconds, problems, result) -> None:
     """Write results.json as Gradescope reads it. Raises an OSError if this fails.
 
     https://gradescope-autograders.readthedocs.io/en/latest/specs/
@@ -211,8 +167,8 @@ def write_gradescope(folder, result) -> None:
             }
         )
     whole = {
-        "output": "\n".join([*result["problems"], result["text"]]),
-        "execution_time": round(result["seconds"]),
+        "output": "\n".join([*problems, result["text"]]),
+        "execution_time": round(seconds),
         "score": sum(test["score"] for test in tests),
         "max_score": len(tests),
         "visibility": "visible",

@@ -40,12 +40,15 @@ class GradedRun(NamedTuple):
 
 
 class Runner:
-    """Grades submissions, each in a fresh copy of a starter. Open it first."""
+    """Grades submissions, each in a fresh copy of a starter, by a process. Open it first."""
 
     cores = os.cpu_count() or 1
 
-    def __init__(self):
+    def __init__(self, folder):
+        self.folder = folder  # of the starter
         self.empty: dict = {}  # the grade of the starter
+        self.stderr = subprocess.DEVNULL
+        self.running: dict[str, subprocess.Popen] = {}  # by the name of the run
 
     def open(self) -> None:
         """Grade the starter; raise an OSError if this fails."""
@@ -66,43 +69,8 @@ class Runner:
             return GradedRun(no_grade(self.empty, output), why_none(status), is_final=False)
         return GradedRun(grade, "", is_final=grade.pop("final") and 0 <= status < one_run.LATE)
 
-    def run_package(self, content) -> tuple[int | str, bytes]:
-        """Return what one_run.py prints for a package, and its exit status or why there is none."""
-        raise NotImplementedError
-
-    def end_all(self) -> None:
-        """End what runs."""
-
-
-def why_none(status) -> str:
-    """Return why there is no grade, from what run_package returns."""
-    if isinstance(status, str):
-        return f"no grade: {status}"
-    if status == one_run.LATE:
-        return f"no grade: the run took longer than {one_run.SECONDS} s"
-    return f"no grade: the run ended with status {status}"
-
-
-def package(files) -> bytes:
-    """Return a .zip with these files: always the same one."""
-    content = BytesIO()
-    with zipfile.ZipFile(content, "w") as archive:
-        for name, text in files.items():
-            # On Linux, a name can have letters that are none
-            archive.writestr(zipfile.ZipInfo(name.encode(errors="replace").decode()), text)
-    return content.getvalue()
-
-
-class Processes(Runner):
-    """Starts a process of this machine for each run."""
-
-    def __init__(self, folder):
-        super().__init__()
-        self.folder = folder  # of the starter
-        self.stderr = subprocess.DEVNULL
-        self.running: dict[str, subprocess.Popen] = {}  # by the name of the run
-
     def run_package(self, content) -> tuple[int, bytes]:
+        """Return the exit status of one_run.py for a package, and what it prints."""
         name = f"cradle-{os.getpid()}-{uuid4().hex}"
         with (
             TemporaryDirectory(prefix="cradle-", ignore_cleanup_errors=True) as folder,
@@ -140,11 +108,29 @@ class Processes(Runner):
         raise NotImplementedError
 
     def end_all(self) -> None:
+        """End what runs."""
         for name in [*self.running]:
             self.end(name)
 
 
-class Here(Processes):
+def why_none(status) -> str:
+    """Return why there is no grade, by the exit status of one_run.py."""
+    if status == one_run.LATE:
+        return f"no grade: the run took longer than {one_run.SECONDS} s"
+    return f"no grade: the run ended with status {status}"
+
+
+def package(files) -> bytes:
+    """Return a .zip with these files."""
+    content = BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
+        for name, text in files.items():
+            # On Linux, a name can have letters that are none
+            archive.writestr(name.encode(errors="replace").decode(), text)
+    return content.getvalue()
+
+
+class Here(Runner):
     """Runs each pytest as a plain process: for code that you trust."""
 
     def open(self) -> None:
