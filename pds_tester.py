@@ -14,7 +14,7 @@ import support.headless_vpython  # first: it takes VPython's place
 from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import clean_copy, read_cradle
+from support.files.valid_cradle import file_for_pandas, read_cradle
 from support.start.commands import checks_command
 from support.start.early import stop_on_signals
 from support.start.mistake import is_pend_list, report_endless_loop, report_mistake
@@ -29,7 +29,7 @@ def main() -> None:
         csv = read_cradle(Snapshot(NC_FP))
     except ValueError as error:
         refuse(error)
-    with clean_copy(csv) as relative_filepath:
+    with file_for_pandas(csv) as relative_filepath:
         show_steps(relative_filepath)
 
 

@@ -18,8 +18,8 @@ def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
 def write_to_csv(pend_list, filepath=NC_FP) -> None:
     """Write pend_list, without objects, to a CSV, which extract_and_convert can read.
 
-    The new file replaces the old one only when it is complete on the disk. After a crash, or on a
-    full disk, the old file is still whole. Raises an OSError if filepath cannot be written.
+    The new file replaces the old one only when it is complete. Raises an OSError if filepath cannot
+    be written.
     """
     columns = [] if pend_list else list(COLUMN_NAMES)  # an empty list has a header, too
     for pend_dict in pend_list:

@@ -18,7 +18,6 @@ from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
 from support.cradle.settings import Settings, settings_of
 from support.files.cradle_csv import Snapshot
-from support.files.data_file import has_data, require_replaceable
 from support.files.experiments import read_experiment
 from support.files.valid_cradle import read_cradle
 from support.start.early import stop_on_signals
@@ -41,8 +40,6 @@ def main() -> None:
     cradle = Cradle(cradle_main, special_cradles, options, many_ticks)
     try:
         settings = settings_from(options, cradle)
-        if options.record not in (None, "-"):
-            require_replaceable("--record", options.record, has_data, "data of a cradle")
     except ValueError as error:
         refuse(error)
     loop, remark = what_there_is(cradle_main, cradle)
@@ -80,13 +77,10 @@ def end_stopped(stopped: KeyboardInterrupt, record: str | None) -> NoReturn:
 
 def end_failed(error: BaseException) -> NoReturn:
     """Name the mistake of a function, and end the program; raise an error of the output again."""
-    # whole_file raises a new OSError for each one, also for one of a student's function; the
-    # __cause__ is then the original.
-    cause = error.__cause__ or error
-    is_of_the_output = isinstance(error, OSError) and not handout_frames(cause)
+    is_of_the_output = isinstance(error, OSError) and not handout_frames(error)
     if is_unread(error) or is_of_the_output:
         raise error  # while_it_is_read ends the program
-    report_mistake(cause)
+    report_mistake(error)
     sys.exit(1)
 
 

@@ -8,12 +8,7 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 
 
 def to_number(text: str) -> float:
-    """Return the number in text, or nan.
-
-    It is stricter than float(), which also accepts texts like 1_000.
-    """
-    if not text.isascii() or "_" in text:
-        return nan
+    """Return the number in text, or nan."""
     try:
         return float(text)
     except ValueError:

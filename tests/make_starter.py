@@ -18,7 +18,6 @@ if __name__ == "__main__":
 from grading.begin import ROOT
 
 from grading.handout import FUNCTIONS, SUITES
-from support.files.cradle_csv import naming
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, while_it_is_read
 
@@ -96,13 +95,12 @@ def make_starter(folder) -> None:
             texts[file] = for_students(ROOT / file)
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
-        with naming(folder):
-            for file in files:
-                (folder / file).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(ROOT / file, folder / file)
-            for file, text in texts.items():
-                (folder / file).parent.mkdir(parents=True, exist_ok=True)
-                (folder / file).write_text(text, encoding="utf-8", newline="\n")
+        for file in files:
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / file, folder / file)
+        for file, text in texts.items():
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            (folder / file).write_text(text, encoding="utf-8", newline="\n")
     except BaseException:
         for path in new[-1:] or folder.iterdir():
             if path.is_dir():

@@ -19,7 +19,7 @@ from support.cradle.hits import Hit, Hits
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
 from support.cradle.settings import NextCradle, Settings
-from support.files.valid_cradle import clean_copy
+from support.files.valid_cradle import file_for_pandas
 from support.main_page import Loop, Page
 from support.start.early import import_now
 from support.start.mistake import MistakeError
@@ -61,8 +61,8 @@ class Player(Page):
         self.hits = Hits(cradle, self.held_bob)
         self.pace = pace or RealTime(cradle.dt)
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
-        self.path = ""  # of a copy of the CSV for the loop
-        self.copy = ExitStack()  # it deletes this copy
+        self.path = ""  # of the CSV, or of a copy, for the loop
+        self.copy = ExitStack()  # it deletes a copy
         self.is_over = False  # whether the simulation has ended
         self.is_shown = False  # whether the loop has shown its cradle
         self.last_frame = perf_counter()  # s: when the last frame began
@@ -119,7 +119,7 @@ class Player(Page):
         """Get ready for the loop to make and show a cradle."""
         self.held_bob.forget()
         self.cradle.give_back()
-        self.path = self.copy.enter_context(clean_copy(self.next_cradle.settings.csv))
+        self.path = self.copy.enter_context(file_for_pandas(self.next_cradle.settings.csv))
         self.next_cradle.is_wanted = False
         self.planned = 0
         self.is_shown = False

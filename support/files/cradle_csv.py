@@ -4,78 +4,31 @@ Each mistake raises a ValueError with a one-line message.
 """
 
 import csv
-import errno
 import io
-import os
-import re
-import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from functools import cached_property
-from math import isfinite
+from math import isnan
 from pathlib import Path
-from stat import S_ISREG
 from typing import Any, NamedTuple
 
 from support.columns import to_number
 
 LARGEST_FILE = 10_000_000  # bytes of a file
 POLL = 0.2  # s between two looks at a file while you edit it
-# The first bytes of .xlsx, .ods and .numbers, and of .xls
-WORKBOOKS = b"PK\3\4", b"\xd0\xcf\x11\xe0"
-SEPARATOR = re.compile("[,;\t]")  # between the cells of a CSV
-# The line with the names, or the end: the first one with a letter, without `sep=;` for Excel
-NAMES = re.compile(r"(?im)^(?![^\w\n]*sep=).*\w.*|\Z")
-
-
-def read_file(filepath: str | Path) -> bytes:
-    """Return the content of a file.
-
-    Of one that is larger than LARGEST_FILE, return a part that is larger, too. Raises an OSError if
-    the file cannot be read. It never waits: it also raises one for a pipe, which may have no
-    writer, and for a device, which may have no end.
-    """
-    path = Path(filepath)  # it takes no number, which would be an open file
-    if path.is_dir():  # Windows would only say that the permission is denied
-        raise OSError(errno.EISDIR, "found a folder, allowed is a file")
-
-    def open_at_once(path: str, flags: int) -> int:
-        # Without O_NONBLOCK, which Windows does not have, a pipe would wait for its writer.
-        return os.open(path, flags | getattr(os, "O_NONBLOCK", 0))
-
-    with open(path, "rb", opener=open_at_once) as file:
-        if not S_ISREG(os.fstat(file.fileno()).st_mode):
-            raise OSError(errno.EINVAL, "found a pipe or a device, allowed is a file")
-        return file.read(LARGEST_FILE + 1)
-
-
-def reason(error: OSError) -> str:
-    """Return what an OSError says; Windows does not say that Excel keeps others from a file."""
-    if sys.platform == "win32" and isinstance(error, PermissionError):
-        return f"{error.strerror}; another program may have it open"
-    return str(error.strerror)
-
-
-@contextmanager
-def naming(filepath: str | Path, *other_names: object) -> Iterator[None]:
-    """Let an OSError of the body say that filepath cannot be written.
-
-    It stays as it is if it names another file, which is none of other_names.
-    """
-    try:
-        yield
-    except OSError as error:
-        if error.filename not in (None, *map(str, other_names)):
-            raise
-        raise OSError(error.errno, f"cannot be written: {reason(error)}", str(filepath)) from error
+# Files that are no text in UTF-8, by their first bytes
+OTHER_FILES = {
+    b"PK\3\4": "a workbook; save it as CSV in Excel or the like",  # .xlsx, .ods, .numbers
+    b"\xd0\xcf\x11\xe0": "a workbook; save it as CSV in Excel or the like",  # .xls
+    b"\xff\xfe": "text in UTF-16; save it in UTF-8",
+    b"\xfe\xff": "text in UTF-16; save it in UTF-8",
+}
 
 
 class CsvRow(NamedTuple):
     """A row of a CSV."""
 
     line: int  # the number of its line in the file
-    cells: list[str]
+    cells: list[str]  # one for each column
 
 
 class Snapshot:
@@ -85,106 +38,89 @@ class Snapshot:
         """Read the file; or take data in place of its content."""
         self.filepath = filepath
         self.data = data or b""
-        self.error: OSError | None = None
+        self.error = ""  # why the file cannot be read
         try:
-            if data is None:
-                self.data = read_file(filepath)
-            if len(self.data) > LARGEST_FILE:
+            size = Path(filepath).stat().st_size if data is None else len(data)
+            if size > LARGEST_FILE:
                 most = f"{LARGEST_FILE // 10**6} MB"
-                raise OSError(errno.EFBIG, f"found more than {most}, allowed are at most {most}")
+                self.error = f"found more than {most}, allowed are at most {most}"
+            elif data is None:
+                self.data = Path(filepath).read_bytes()
         except OSError as error:
-            self.error = error
+            self.error = str(error.strerror)
 
     def __str__(self) -> str:
         return str(self.filepath)
 
     def __eq__(self, other: Any) -> bool:
         """Return whether two have the same content, or could not be read for the same reason."""
-        return self.data == other.data and str(self.error) == str(other.error)
+        return (self.data, self.error) == (other.data, other.error)
 
-    @cached_property
-    def rows(self) -> list[CsvRow]:
-        """The rows, the header first.
+    def rows(self) -> Iterator[CsvRow]:
+        """Yield the rows, the header first.
 
-        The first line with names decides what separates cells; a number has a decimal point and a
-        plain minus. Left out are rows without a value, last cells without one, spaces around a
-        cell, byte-order marks, ^Z at the end, and `sep=,` in line 1. Raises a ValueError that names
-        the mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or has a
-        row with more cells than the header.
+        Semicolons separate cells if the first line with text has one; a number can then have a
+        decimal comma, which becomes a point. Otherwise, commas separate them. Left out are rows
+        without a value, last cells without one, and spaces around a cell. Raises a ValueError that
+        names the mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or
+        has a row with more cells than the header.
         """
-        return list(self.each_row())
-
-    def each_row(self) -> Iterator[CsvRow]:
-        """Yield the rows one by one. Raises the same ValueErrors as rows."""
         text = self.text()
-        names = next(NAMES.finditer(text))
-        separator = separator_in(names[0])
-        above = text.count("\n", 0, names.start())  # lines, which are then blank
-        lines = io.StringIO("\n" * above + text[names.start() :], newline="")
+        separator = separator_in(text.lstrip().partition("\n")[0])
+        lines = io.StringIO(text, newline="")
         reader = csv.reader(lines, delimiter=separator, skipinitialspace=True)
+        header: CsvRow | None = None
         line = 1
-        width = 0  # of the header
         try:
             for row in reader:
                 cells = [plain_cell(cell.strip(), separator) for cell in row]
                 while cells and not cells[-1]:
                     cells.pop()
-                width = width or len(cells)
-                if len(cells) > width:
-                    raise ValueError(
-                        f"{self}, line {line}: found {len(cells)} cells, allowed are at most "
-                        f"{width}, as in line {above + 1}; "
-                        "a decimal comma needs semicolons or tabs between cells"
-                    )
                 if cells:
-                    yield CsvRow(line, cells)
+                    header = header or CsvRow(line, cells)
+                    width = len(header.cells)
+                    if len(cells) > width:
+                        raise ValueError(
+                            f"{self}, line {line}: found {len(cells)} cells, allowed are at most "
+                            f"{width}, as in line {header.line}; "
+                            "a decimal comma needs semicolons between cells"
+                        )
+                    missing = [""] * (width - len(cells))
+                    yield CsvRow(line, cells + missing)
                 line = reader.line_num + 1
         except csv.Error as error:
             raise ValueError(f"{self}, line {line}: {error}") from error
-        if not width:
-            raise ValueError(f"{self}: is empty, or has no letter; line 1 must name the columns")
+        if not header:
+            raise ValueError(f"{self}: is empty, its first line must name the columns")
 
     def text(self) -> str:
-        """Return the text, without byte-order marks: pandas leaves out only one.
-
-        DOS may end it with ^Z, 0x1a.
-        """
+        """Return the text, without a byte-order mark before it."""
         if self.error:
-            raise ValueError(f"{self}: cannot be read: {reason(self.error)}") from self.error
-        if self.data.startswith(WORKBOOKS):
-            raise ValueError(
-                f"{self}: is a workbook; open it in Excel or the like, and save it as CSV"
-            )
-        found = "a zero byte"
-        place = self.data.find(b"\0")
+            raise ValueError(f"{self}: cannot be read: {self.error}")
+        for beginning, kind in OTHER_FILES.items():
+            if self.data.startswith(beginning):
+                raise ValueError(f"{self}: is {kind}")
         try:
-            text = self.data.decode("utf-8")
+            return self.data.decode("utf-8-sig")
         except UnicodeDecodeError as error:
-            place = error.start
-            found = f"byte 0x{self.data[place]:02x}"
-        if place >= 0:
-            line = self.data.count(b"\n", 0, place) + 1
+            text = error.object[: error.start]
+            line = text.count(b"\n") + 1
+            byte = error.object[error.start]
             raise ValueError(
-                f"{self}, line {line}: found {found}, allowed is text only, saved as UTF-8"
-            )
-        return text.replace("\ufeff", "").rstrip("\x1a\r\n")
+                f"{self}, line {line}: found byte 0x{byte:02x}, "
+                "allowed is text only, saved as UTF-8"
+            ) from error
 
 
 def separator_in(line: str) -> str:
-    """Return the sign that separates the cells of this line: the first one outside of quotes."""
-    first = SEPARATOR.search(re.sub('"[^"]*"', "", line))
-    return first[0] if first else ","
+    """Return the sign that separates the cells of a CSV with this first line."""
+    return ";" if ";" in line else ","
 
 
 def plain_cell(text: str, separator: str) -> str:
-    """Return the text of a cell; a number has a decimal point, and a plain minus.
-
-    It can have a decimal comma if something else separates cells.
-    """
-    number = text.replace("\u2212", "-")
-    if separator != ",":
-        number = number.replace(",", ".")
-    return number if isfinite(to_number(number)) else text
+    """Return the text of a cell; in a number beside semicolons, a decimal comma becomes a point."""
+    number = text.replace(",", ".")
+    return text if separator == "," or isnan(to_number(number)) else number
 
 
 class LiveFile:
@@ -207,8 +143,6 @@ class LiveFile:
             return False
         self.next_look = self.clock() + POLL
         found = Snapshot(self.filepath)
-        if found.error and found.error.errno in (errno.EMFILE, errno.ENFILE):
-            return False  # no more files can be open: this says nothing about the file
         previous = self.candidate
         self.candidate = found
         if found != previous or found == self.current:

@@ -95,7 +95,8 @@ def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
     Raises a ValueError with a one-line message that names the first mistake in it.
     """
     ghosts = Ghosts(Path(file.filepath).name, keys)
-    lines = [*io.StringIO(file.text(), newline=None)]
+    text = file.text().replace("\t", ";")  # Tracker puts tabs between cells
+    lines = [*io.StringIO(text, newline=None)]
     above = count_above_names(file, lines, keys)
     release = 0.0  # s: the time in the file
     for number, line in enumerate(lines[:above], start=1):
@@ -166,13 +167,12 @@ def tracks_in(file: Snapshot, keys: Sequence[str], release: float) -> dict[str, 
 
     The times are those after the release, whose time (s) in the file is given.
     """
-    header, *rows = file.rows
+    header, *rows = file.rows()
     columns = columns_in(header.cells, keys)
     numbers: dict[str, list[float]] = {name: [] for name in columns}
     for row in rows:
-        cells = dict(enumerate(row.cells))
         for name, column in columns.items():
-            text = cells.get(column.place, "")
+            text = row.cells[column.place]
             number = to_number(text)
             may_be_missing = name != "t" and text.lower() in ("", "nan")
             if not isfinite(number) and not may_be_missing:

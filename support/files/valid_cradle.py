@@ -1,16 +1,14 @@
-"""What the CSV of a cradle must have; the checked CSV, and a copy of it for pandas."""
+"""What the CSV of a cradle must have; the checked CSV, and the file with it for pandas."""
 
 import csv
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
-from decimal import Decimal
-from math import isfinite
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
-from support.columns import CHECKED, to_number
-from support.files.cradle_csv import CsvRow, naming, SEPARATOR, Snapshot
+from support.columns import CHECKED, SETTABLE, to_number
+from support.files.cradle_csv import CsvRow, Snapshot
 from support.found import found, in_short
 
 MOST_PENDULA = 1000  # of a cradle
@@ -37,7 +35,7 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
     the range of MOST_TIMES, too. Raises a ValueError for the first mistake. It names the file, the
     line, the column, the value found and the allowed values.
     """
-    rows = snapshot.each_row()  # one by one: those of 10 MB would take a gigabyte of memory
+    rows = snapshot.rows()  # one by one: those of 10 MB would take a gigabyte of memory
     header = next(rows)
     require_columns(f"{snapshot}, line {header.line}", header.cells)
     pendula: list[CsvRow] = []
@@ -47,7 +45,7 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
                 f"{snapshot}, line {row.line}: found pendulum {MOST_PENDULA + 1}, allowed are at "
                 f"most {MOST_PENDULA}, which already move in slow motion on the page"
             )
-        require_allowed_cells(snapshot, header, row)
+        require_allowed_cells(f"{snapshot}, line {row.line}", header.cells, row.cells)
         pendula.append(row)
     if not pendula:
         raise ValueError(
@@ -56,39 +54,28 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
         )
     if cords == 2:
         require_masses_in_range(snapshot, header, pendula)
-    width = len(header.cells)
-    filled = [[*row.cells, *[""] * (width - len(row.cells))] for row in pendula]  # last cells
-    return CradleCsv(snapshot.filepath, header.cells, filled)
+    return CradleCsv(snapshot.filepath, header.cells, [row.cells for row in pendula])
 
 
 def require_columns(place: str, names: list[str]) -> None:
     """Raise a ValueError if the names at this place lack a column of a cradle, or repeat one."""
-    hint = ""
-    if len(names) == 1 and SEPARATOR.search(names[0]):
-        hint = "; delete the quotes around each line"
     for column in CHECKED:
         count = names.count(column)
         if count != 1:
             columns = f"{count} columns" if count else "no column"
-            all_names = in_short(", ".join(repr(name) for name in names if name))
+            all_names = in_short(", ".join(map(repr, names)))
             raise ValueError(
                 f"{place} must name the columns: found {columns} {column} in {all_names}; "
-                f"a cradle needs one column of each of {', '.join(CHECKED)}{hint}"
+                f"a cradle needs one column of each of {', '.join(CHECKED)}"
             )
 
 
-def require_allowed_cells(snapshot: Snapshot, header: CsvRow, row: CsvRow) -> None:
-    """Raise a ValueError if a cell of this row has a value that its column does not allow."""
-    # A short row lacks its last cells.
-    pendulum = dict(zip(header.cells, row.cells, strict=False))
-    for name, column in CHECKED.items():
-        text = pendulum.get(name, "")
-        if name in header.cells and not column.allows(text):
-            message = found(text, column.allowed())
-            if len(row.cells) < len(header.cells):
-                last = f"cell {len(row.cells)} of {len(header.cells)}"
-                message += f"; the last value in this line is in {last}"
-            raise ValueError(f"{snapshot}, line {row.line}, column {name}: {message}")
+def require_allowed_cells(place: str, names: list[str], cells: list[str]) -> None:
+    """Raise a ValueError if a cell of the row at this place is not allowed in its column."""
+    for name, text in zip(names, cells, strict=True):
+        column = CHECKED.get(name)
+        if column and not column.allows(text):
+            raise ValueError(f"{place}, column {name}: {found(text, column.allowed())}")
 
 
 def require_masses_in_range(snapshot: Snapshot, header: CsvRow, pendula: list[CsvRow]) -> None:
@@ -113,28 +100,44 @@ def are_in_range(masses: Iterable[float]) -> bool:
 
 
 @contextmanager
-def clean_copy(cradle: CradleCsv) -> Iterator[str]:
-    """Yield the path of a file with this CSV, for the body of the with statement.
+def file_for_pandas(cradle: CradleCsv) -> Iterator[str]:
+    """Yield the path of a file for the handout's functions, for the body of the with statement.
 
-    The handout's functions read this copy: a plain pd.read_csv takes a space for a part of a cell,
-    and another program can write the file at any time.
+    It is the CSV itself, or a copy if a plain pd.read_csv finds something else in the CSV. Who
+    changes the CSV only then gives the functions a file that nobody has checked; LiveFile notices
+    it.
     """
+    columns = zip(*cradle.pendula, strict=True)
+    table = [*map(values_in, cradle.columns, columns)]
+    if has_for_pandas(cradle, table):
+        yield str(cradle.filepath)
+        return
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         copy = Path(folder) / Path(cradle.filepath).name
-        with naming(copy), open(copy, "w", encoding="utf-8", newline="") as file:
+        with open(copy, "w", encoding="utf-8", newline="") as file:
             writer = csv.writer(file)
             writer.writerow(cradle.columns)
-            for cells in cradle.pendula:
-                writer.writerow(map(for_pandas, cradle.columns, cells))
+            writer.writerows(zip(*table, strict=True))
         yield str(copy)
 
 
-def for_pandas(column: str, text: str) -> str:
-    """Return the text of a cell, a long number in short.
+def values_in(column: str, cells: Iterable[str]) -> list:
+    """Return the numbers, or else the texts, in these cells of a column with this name."""
+    return [*map(to_number, cells)] if column in SETTABLE else [*cells]
 
-    pandas 2 reads 17 digits, and counts zeros before them.
-    """
-    is_number = column in CHECKED and isfinite(to_number(text))
-    if is_number and len(text) > 15:
-        return f"{Decimal(repr(to_number(text))):e}"
-    return text
+
+def has_for_pandas(cradle: CradleCsv, table: list[list]) -> bool:
+    """Return whether pandas finds the columns of this table in the CSV itself, as it is now."""
+    import pandas as pd  # late: the page opens before it is there
+
+    try:
+        frame = pd.read_csv(cradle.filepath)
+    except (OSError, ValueError):  # an experiment has no CSV
+        return False
+    if [*frame.columns] != cradle.columns:
+        return False
+    return all(
+        frame[name].tolist() == values
+        for name, values in zip(cradle.columns, table, strict=True)
+        if name in CHECKED
+    )

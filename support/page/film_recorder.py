@@ -2,7 +2,7 @@
 
 import sys
 from collections import deque
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import ExitStack
 from html import escape
 from math import inf
@@ -12,7 +12,7 @@ from urllib.parse import quote
 from support.cradle.cradle import Cradle
 from support.cradle.player import run
 from support.cradle.real_time import RealTime
-from support.files.data_file import INDEX_LINE, is_index, is_run, require_replaceable, whole_file
+from support.files.data_file import whole_file
 from support.files.experiments import Experiment, EXPERIMENTS
 from support.main_page import Loop
 from support.page.server.film import Film
@@ -23,7 +23,6 @@ from support.start.early import stop_on_signals
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, refuse, say
 
-RUN, INDEX = "a run of a cradle", "links to runs of a cradle"  # what is in the files
 INDEX_STYLE = """
 :root { color-scheme: light dark; font: 1.1rem/1.5 system-ui, sans-serif }
 body { max-width: 40rem; margin: 2rem auto; padding: 0 1rem }
@@ -114,18 +113,8 @@ class FilmRecorder(Viewer):
         return self.marks.ghosts
 
 
-def check(option: str, files: Mapping[str, tuple[Callable[[bytes], bool], str]]) -> None:
-    """Exit with status 2 if one of these files exists, and is not what the option may replace."""
-    for file, (is_ours, what) in files.items():
-        try:
-            require_replaceable(option, file, is_ours, what)
-        except ValueError as error:
-            refuse(error)
-
-
 def write_run(loop: Loop, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
     """Write the first seconds (s) of a loop to this HTML file; the rest is as in write_runs."""
-    check("--html", {filepath: (is_run, RUN)})
     write_runs(loop, FilmRecorder(cradle, start, seconds), [filepath], filepath)
 
 
@@ -140,7 +129,6 @@ def write_all_runs(loop: Loop, cradle: Cradle, start: Start, seconds: float, fol
     index = str(Path(folder, "index.html"))
     if index in files:
         refuse("--html-all: allowed is another name than index for an experiment")
-    check("--html-all", {**dict.fromkeys(files, (is_run, RUN)), index: (is_index, INDEX)})
     for mistake in recorder.chooser.mistakes:
         complain(mistake)
     if not experiments:
@@ -193,7 +181,7 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
 def links_to(title: str, experiments: Sequence[Experiment]) -> str:
     """Return a plain page with a link to the run of each experiment."""
     lines = [
-        INDEX_LINE,
+        "<!doctype html>",
         '<html lang="en"><meta charset="utf-8">',
         '<meta name="viewport" content="width=device-width, initial-scale=1">',
         f"<title>{escape(title)}</title>",

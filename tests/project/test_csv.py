@@ -1,15 +1,11 @@
 """CSVs that are read, refused and edited."""
 
-import errno
 import os
 import re
 from pathlib import Path
-from unittest.mock import Mock
+from unittest.mock import patch
 
 import pytest
-from hypothesis import strategies as st
-from programs import on_posix
-from strategies import random_examples
 from students import put_files
 from whole_cradles import GOOD, HEADER
 
@@ -17,43 +13,29 @@ from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import extract_and_convert
 from support.constants import COLOR_MAP, TEXTURE_MAP
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import clean_copy, CradleCsv, read_cradle
+from support.files.valid_cradle import CradleCsv, file_for_pandas, read_cradle
 from support.page.cradle_settings import with_numbers
 
 MASS = "a number from 1e-300 to 1e6 (kg)"
-IN_CELL_5 = "is in cell 5 of 6"
-HINTS = ["the quotes around", IN_CELL_5]
 NAMES = ", line 1 must name the columns: found "
 
-# Files that are no CSV, or give no cradle. The message goes on after the name of the file, and has
-# the other texts later.
+# Files that are no CSV, or give no cradle; the message after the name of the file has these texts.
 REFUSED = {
-    "blank": ("\ufeff\ufeff\n  \n\n", ": is empty"),
-    "zero byte": (b"mass,e\n1,\x00\n", ", line 2: found a zero byte", "UTF-8"),
-    "latin-1": (b"mass\n1\nros\xe9\n", ", line 3: found byte 0xe9", "UTF-8"),
+    "blank": ("\n  \n,,\n", ": is empty"),
+    "latin-1": ("\ufeffmass\n1\nros".encode() + b"\xe9\n", ", line 3: found byte 0xe9", "UTF-8"),
+    "a workbook": (b"PK\3\4\xff", ": is a workbook; save it as CSV"),
+    "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook; save it as CSV"),
+    "UTF-16": (HEADER.encode("utf-16"), ": is text in UTF-16; save it in UTF-8"),
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit"),
-    "large": (" " * 10_000_001, ": cannot be read: found more than 10 MB", "at most 10 MB"),
-    "zero bytes, as many as allowed": (b"\0" * 10_000_000, ", line 1: found a zero byte"),
-    "too many cells, below a column without a name": (
-        "color,texture,mass,e,\nred,metal,1,0,9\n",
-        ", line 2: found 5 cells",
-        "at most 4, as in line 1; ",
+    "a decimal comma": (
+        "\ncolor,texture,mass,e,,\nred,metal,1,0,5\n",
+        ", line 3: found 5 cells, allowed are at most 4, as in line 2; a decimal comma needs semi",
     ),
     "header only": (HEADER, ": names columns but has no pendulum"),
     "two columns mass": ("mass,mass\n", f"{NAMES}2 columns mass", "mass, e, color, texture"),
-    "no column": ("mass,E,color,texture\n", f"{NAMES}no column e in 'mass', 'E', "),
-    "semicolons": ("sep=;\ne;Mass\n", ", line 2 must name", "no column mass in 'e', 'Mass'; "),
-    "quotes": ('"mass; e"\n"1;1"\n', NAMES, "in 'mass; e'; ", "the quotes around"),
+    "no column": ("Mass;e\n", f"{NAMES}no column mass in 'Mass', 'e'; "),
     "a long line": ("x" * 1000 + "\n", NAMES, f" '{'x' * 299}...; "),
-    "a line as long as in a message": ("x" * 298, NAMES, f" '{'x' * 298}'; "),
-    "a workbook": (b"PK\3\4\xff", ": is a workbook"),
-    "an old workbook": (b"\xd0\xcf\x11\xe0", ": is a workbook"),
-    "a blank line above": ("\n" + HEADER + "0,1,0,0,red,metal\n", ", line 3, column mass: found"),
-    "row too short": (
-        HEADER + "1,1,0,0,red\n",
-        ", line 2, column texture: found nothing, ",
-        IN_CELL_5,
-    ),
+    "row too short": (HEADER + "1,1,0,0,red\n", ", line 2, column texture: found nothing, "),
     # The row after them, with a cell that is too long for a CSV, is not even read
     "too many pendula": (
         HEADER + "\n" + GOOD * 1001 + '"' + "x" * 200_000,
@@ -61,7 +43,7 @@ REFUSED = {
         "at most 1000",
     ),
     "after blank lines and a cell of two lines": (
-        'note,mass,e,color,texture\n   \n\n"one\ntwo",1,1,red,none\nx,0,1,red,none\n',
+        '\nnote,mass,e,color,texture\n\n"one\ntwo",1,1,red,none\nx,0,1,red,none\n',
         ", line 6, column mass: found '0'",
         MASS,
     ),
@@ -87,8 +69,16 @@ def test_a_csv_is_refused_with_the_place_of_its_mistake(mistake, save):
     message = refusal(save(content))
     assert message.startswith(beginning)
     assert [part for part in parts if part not in message] == []
-    hints = [hint for hint in HINTS if hint in " ".join(parts)]
-    assert [hint for hint in HINTS if hint in message] == hints
+
+
+def test_a_file_that_cannot_be_read_is_refused_and_a_large_one_before_it_is_read(tmp_path, save):
+    assert refusal(str(tmp_path / "no.csv")) == ": cannot be read: No such file or directory"
+    assert refusal(str(tmp_path)).startswith(": cannot be read: ")
+    file = save("")
+    os.truncate(file, 3 * 10**9)
+    with patch.object(Path, "read_bytes", side_effect=AssertionError):
+        message = refusal(file)
+    assert message == ": cannot be read: found more than 10 MB, allowed are at most 10 MB"
 
 
 # The third line of a CSV with one cell to fill in
@@ -103,7 +93,7 @@ LINES = {
 @pytest.mark.parametrize(
     ("column", "texts", "allowed"),
     [
-        ("mass", ["heavy", "nan", "1000000.5", "0", "1e-310", "1_000", "\u0663"], MASS),
+        ("mass", ["heavy", "nan", "1000000.5", "0", "1e-310"], MASS),
         ("e", ["-0.1", "1.01", "nan"], "a number from 0 to 1, such as 0.9"),
         ("color", ["mauve"], f"one of {', '.join(COLOR_MAP)}"),
         ("texture", ["velvet"], f"one of {', '.join(TEXTURE_MAP)}"),
@@ -115,7 +105,6 @@ def test_a_bad_cell_is_named_with_its_place_and_the_allowed_values(column, texts
         assert message.startswith(
             f", line 3, column {column}: found {text!r}, allowed is {allowed}"
         )
-        assert IN_CELL_5 not in message
 
 
 def test_the_smallest_and_the_largest_cradle_are_allowed(save):
@@ -133,90 +122,43 @@ def test_the_masses_of_a_double_cradle_may_differ_by_a_factor_of_a_million(save)
     assert "at most 1e6 times" in message
 
 
-@on_posix
-def test_a_missing_file_a_folder_a_pipe_and_a_device_are_refused_at_once(tmp_path):
-    """A pipe may have no writer, and /dev/zero never ends."""
-    pipe = tmp_path / "pipe.csv"
-    os.mkfifo(pipe)
-    reasons = {
-        tmp_path / "missing.csv": "No such file or directory",
-        pipe: "found a pipe or a device",
-        "/dev/zero": "found a pipe or a device",
-    }
-    for file, reason in reasons.items():
-        assert refusal(str(file)).startswith(f": cannot be read: {reason}")
-
-
-@pytest.mark.parametrize("system", ["win32", "linux"])
-def test_windows_denies_the_permission_for_a_folder_and_for_a_file_that_excel_holds_open(
-    system, csv, monkeypatch
-):
-    """It says the same of both."""
-    monkeypatch.setattr("sys.platform", system)
-    denied = PermissionError(errno.EACCES, "Permission denied")
-    monkeypatch.setattr("os.open", Mock(side_effect=denied))
-    assert ("another program may have it open" in refusal(str(csv))) == (system == "win32")
-    assert refusal(str(csv.parent)).startswith(": cannot be read: found a folder")
-
-
+# How a CSV may be written, and whether a plain pd.read_csv finds the same cradle in it
 READABLE = {
-    "marks": MIXED_CSV.replace("mass", '\ufeff\ufeff"\ufeffmass"').replace("2.5", "\ufeff2.5"),
-    "windows": MIXED_CSV.replace("\n", "\r\n\r\n") + "\x1a",
-    "spaces": "  " + MIXED_CSV.replace(",", " ,\t ").replace("\n", "  \n "),
-    "quotes": MIXED_CSV.replace("red", ' "red" '),
-    "a spreadsheet": "Sep=,\n" + MIXED_CSV.replace("\n", ",,\n,,,,,,,,\n"),
-    "a German Excel": "sep=;\r\n" + MIXED_CSV.replace(",", ";").replace(".", ","),
-    "tabs": MIXED_CSV.replace(",", "\t"),
-    "a minus": MIXED_CSV.replace("-", "\u2212"),
+    "the shipped way": (MIXED_CSV, True),
+    "Windows": (("\ufeff\n" + MIXED_CSV).replace("\n", "\r\n\r\n"), True),
+    "spaces": (MIXED_CSV.replace(",", " , ").replace("red", '"red"'), False),
+    "commas behind each row": (MIXED_CSV.replace("\n", ",\n"), False),
+    "a comma behind each row below": (
+        MIXED_CSV.replace("\n", ",\n").replace(",\n", "\n", 1),
+        False,
+    ),
+    "a German Excel": (MIXED_CSV.replace(",", ";").replace(".", ","), False),
 }
 
 
-@pytest.mark.parametrize("content", READABLE.values(), ids=READABLE)
-def test_a_csv_is_read_however_a_program_has_written_it_and_also_when_it_is_gone(content, save):
-    """A plain pd.read_csv reads its clean copy, whose path is a plain one."""
+@pytest.mark.parametrize(("content", "is_plain"), READABLE.values(), ids=READABLE)
+def test_the_functions_read_the_csv_itself_or_a_copy_for_pandas(content, is_plain, save):
     csv = read_cradle(Snapshot(save(content)))
-    os.remove(csv.filepath)
-    with clean_copy(csv) as copy:
-        assert type(copy) is str
-        assert Path(copy).name == "cradle.csv"
-        assert extract_and_convert(copy) == MIXED
-    assert not Path(copy).exists()
+    with file_for_pandas(csv) as file:
+        assert (file == csv.filepath) == is_plain
+        assert Path(file).name == "cradle.csv"
+        assert extract_and_convert(file) == MIXED
+    assert Path(file).exists() == is_plain
 
 
-def test_a_full_disk_names_the_copy(monkeypatch):
-    full = OSError(errno.ENOSPC, "No space left on device")
-    monkeypatch.setattr("csv.writer", Mock(side_effect=full))
-    message = r"cannot be written: No space left on device: '.+cradle\.csv'$"
-    csv = CradleCsv("cradle.csv", ["mass"], [["1"]])
-    with pytest.raises(OSError, match=message), clean_copy(csv):
-        pass
+@pytest.mark.parametrize("later", ["", MIXED_CSV.replace("0.9", "0.1"), MIXED_CSV + GOOD])
+def test_the_functions_get_the_csv_that_was_checked_also_if_the_file_has_changed(later, save):
+    csv = read_cradle(Snapshot(save(MIXED_CSV)))
+    save(later)
+    with file_for_pandas(csv) as file:
+        assert extract_and_convert(file) == MIXED
 
 
-NUMBERS = st.from_regex(r"\A[0-9]{1,2}(\.[0-9]{0,2})?([eE][+-]?[0-9])?\Z")
-ODD = st.text("0123456789.eE+-x ", min_size=1, max_size=6)
-
-
-@random_examples(50, text=NUMBERS | ODD)
-def test_a_number_for_the_check_is_a_number_for_pandas(text):
-    """The check reads the text of a cell itself.
-
-    A cell that it accepts must not become text in pend_list.
-    """
-    data = f"mass,e,color,texture\n{text},1,red,none\n".encode()
-    try:
-        csv = read_cradle(Snapshot("cradle.csv", data))
-    except ValueError:
-        return
-    with clean_copy(csv) as copy:
-        [pend_dict] = extract_and_convert(copy)
-    assert isinstance(pend_dict["mass"], (int, float))
-    assert pend_dict["mass"] == float(text)
-
-
-def test_the_copy_of_a_long_number_has_only_digits_that_pandas_2_reads():
-    cells = ["00000000000000001", "0.00000000000000000000012345", "0.02000000000000000045"]
-    with clean_copy(CradleCsv("cradle.csv", ["id", "mass", "e"], [cells])) as copy:
-        assert Path(copy).read_text().split() == ["id,mass,e", "00000000000000001,1.2345e-22,2e-2"]
+@pytest.mark.parametrize("text", ["1_000", "0.00000000000000000000012345", "+1.e2"])
+def test_a_number_for_the_check_is_the_same_number_for_the_functions(text, save):
+    """pandas has rules of its own, which change from version to version."""
+    with file_for_pandas(read_cradle(Snapshot(save(LINES["mass"].format(text))))) as file:
+        assert extract_and_convert(file)[1]["mass"] == float(text)
 
 
 def test_an_edit_leaves_the_other_cells_as_they_are():

@@ -33,7 +33,7 @@ KEYS = DoubleCradle.angle_keys
         ("t,phi_1,theta_1,phi_2\n0,-1,3,1\n", 0, {0: [3, 2]}),  # of cord 2, only half is known
         ("t,theta_1,theta_3\n0,,1\n", 0, {}),  # bob 1 was never found, and there is no bob 3
         ("mass A\nstart,0.5,-9\nt (s)\ttheta_1 (°)\n0,5\t90\n", 0, {0: [90 / RAD]}),
-        ('# t, in s\nstart;0;\u22129\n# t ;"Theta_1 [deg]"\n0;\u221290\n', 0, {0: [-90 / RAD]}),
+        ('# t, in s\nstart;0;-9\n# t ;"Theta_1 [deg]"\n0;-90\n', 0, {0: [-90 / RAD]}),
         ("theta_1 / degrees\t T\r90\t0\r", 0, {0: [90 / RAD]}),
         ("\ufeffTime (s),theta_1(rad)\n0,1\n", 0, {0: [1]}),
     ],

@@ -236,7 +236,7 @@ def run(monkeypatch, capfd):
         (grade_class, "class --out file.zip", "file.zip: allowed is a new folder"),
         (make_autograder, "file.zip", "FILE.zip: found 'file.zip'"),
         (make_autograder, "cradle.tar", "FILE.zip: found 'cradle.tar'"),
-        (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip: cannot be written: "),
+        (make_autograder, "nowhere/cradle.zip", "nowhere/cradle.zip: No such file"),
         (make_starter, "class", "FOLDER: found 'class'"),
         (make_starter, "file.zip/new", "file.zip/new: "),
     ],

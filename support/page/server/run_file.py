@@ -14,7 +14,6 @@ from importlib.metadata import files
 from math import inf
 from typing import Any
 
-from support.files.data_file import RUN_LINE
 from support.files.experiments import YOUR_CSV
 from support.page.server.film import FilmPicture
 from support.page.server.web_files import (
@@ -56,7 +55,7 @@ def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
     for name in module_names():
         modules[name] = f"data:text/javascript;base64,{in_letters(content_of(web[f'{name}.js']))}"
     html = page_with_modules(modules)
-    html = html.replace("<!doctype html>", f"{RUN_LINE}\n<!--\n{licence()}\n-->", 1)
+    html = html.replace("<!doctype html>", f"<!doctype html>\n<!--\n{licence()}\n-->", 1)
     html = html.replace('<html lang="en">', '<html lang="en" class="recorded">', 1)
     html = html.replace(LIVE, "\n".join(player), 1)
     html = re.sub(r"(?s)<main.*</template>", lambda places: filled_at_start(places[0]), html)
