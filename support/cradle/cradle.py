@@ -39,10 +39,9 @@ class Cradle:
     # A pendulum's keys of its angles (rad), the upper cord first, and of their rates (rad/s).
     angle_keys: Sequence[str] = ("theta",)
     rate_keys: Sequence[str] = ("omega",)
-    # The names, in the handout's modules, of the functions and of the constant of this cradle.
+    # The names, in the handout's modules, of the functions of this cradle.
     make_name = "make_newton_cradle"
     tick_name = "newton_cradle_tick"
-    dt_name = "DT"
     # The first one that exists lets two pendula collide.
     collide_names: Sequence[str] = ("handle_two_bobs",)
     has_rule = True  # whether the handout has a rule for separating bobs

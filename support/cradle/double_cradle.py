@@ -25,7 +25,6 @@ class DoubleCradle(Cradle):
     rate_keys = ("omega", "phi_omega")
     make_name = "make_double_newton_cradle"
     tick_name = "double_cradle_tick"
-    dt_name = "DOUBLE_DT"
     # The second one lets only the upper bobs collide.
     collide_names = ("handle_two_double_bobs", "handle_two_bobs")
     shown_name = "handle_two_double_bobs"

@@ -35,7 +35,6 @@ class Motion:
 
     def set_start(self) -> None:
         """Take the energy of this moment as 100 %, and find out which hits are fast."""
-        self.start_angles = {key: self.cradle.values(key) for key in self.cradle.angle_keys}  # rad
         self.start_energy = sum(self.cradle.energies())
         self.fast_speed = FAST_PART * max(self.cradle.top_speeds(), default=0.0)  # m/s
 

@@ -2,7 +2,7 @@
 
 import io
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from itertools import accumulate, cycle, islice
 from math import inf, radians
 from pathlib import Path
@@ -108,18 +108,6 @@ def read_experiment(file: Path, cords: int) -> Experiment:
         explained=[line[0] for line in answers].index("*"),
         why=lines.measured("why"),
     )
-
-
-def experiment_text(name: str, columns: Mapping[str, Sequence[float]]) -> str:
-    """Return the text of an experiment without a question.
-
-    columns has the numbers of all pendula by the names of their lines: theta (degrees), ...
-    """
-    lines = [f"name = {name}\n"]
-    for column, numbers in columns.items():
-        texts = [f"{number:.12g}" for number in numbers]
-        lines.append(f"{column} = {' '.join(texts)}\n")
-    return "".join(lines)
 
 
 def csv_of(filepath: Path, columns: dict[str, list[float]]) -> CradleCsv:

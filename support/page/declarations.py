@@ -25,10 +25,10 @@ from support.page.controls import (
 )
 from support.page.cradle_settings import CradleSettings
 from support.page.ghost_file import GhostFile
-from support.page.graph import Graph, SPANS
+from support.page.graph import Graph
 from support.page.lesson import Lesson
 from support.page.names import Commands
-from support.page.playback import Playback, SLOWLY
+from support.page.playback import Playback
 from support.page.questions import Questions
 from support.page.scene.marks import Marks
 from support.page.scene.slow_hits import SlowHits
@@ -194,13 +194,6 @@ def view_controls(
         step=0.1,
         help="Speed: 1x is real time",
     )
-    slow = Switch(
-        name="slow",
-        place="bar",
-        label="Slow motion",
-        get=lambda: playback.speed_now() <= SLOWLY,
-        set=playback.slow_down,
-    )
     arrows = Switch(
         name="arrows",
         place="shows",
@@ -231,26 +224,10 @@ def view_controls(
         label="Graph",
         get=graph.name,
         set=graph.show,
-        choices=graph.menu,
+        choices=lambda: [*graph.choices],
         help="theta: the angle of a cord from straight down; omega: how fast it changes",
     )
-    all_curves = Menu(
-        name="all_graphs",
-        place="details",
-        label="All graphs",
-        get=graph.name,
-        set=graph.show,
-        choices=lambda: [*graph.choices],
-    )
-    span = Menu(
-        name="span",
-        place="graph",
-        label="Time of the graph",
-        get=lambda: graph.span,
-        set=graph.show_span,
-        choices=lambda: [*SPANS],
-    )
-    return [ask_first, ask_seen, speed, slow, arrows, measure, hits, curves, span, all_curves]
+    return [ask_first, ask_seen, speed, arrows, measure, hits, curves]
 
 
 def commands(

@@ -1,6 +1,5 @@
-"""The numbers of the graph: curves over the last seconds, or the phase picture of a pendulum."""
+"""The numbers of the graph: curves over the last swings, or the phase picture of a pendulum."""
 
-from array import array
 from collections import deque
 from collections.abc import Sequence
 from math import degrees, isfinite
@@ -8,19 +7,7 @@ from typing import Any, NamedTuple
 
 from vpython import vector
 
-from support.files.data_file import EVERY
-
-
-class Span(NamedTuple):
-    """How much of the past a graph shows."""
-
-    seconds: float
-    interval: float  # s, from row to row
-
-
-SPANS = {"last 2 s": Span(2.0, 0.01), "last 10 s": Span(10.0, 0.03)}
-PHASE_SPAN = Span(3.0, EVERY)
-MOST_ROWS = 1100  # the last 10 s: from row to row it is EVERY, rounded to ticks of at most 0.001 s
+SWINGS = 3  # small ones: a graph shows the time that they take
 MOST_DRAWN = 20  # pendula in the graph: more curves could not be told apart
 
 # Three colors of Okabe and Ito's palette, which look different to color-blind people, too.
@@ -53,14 +40,16 @@ class Choice(NamedTuple):
 class Graph:
     """Keeps the last samples of Motion, and gives the numbers of the chosen graph to graph.js."""
 
-    def __init__(self, angle_keys: Sequence[str], rate_keys: Sequence[str]) -> None:
-        """Begin without samples; angle_keys and rate_keys are those of a pendulum."""
+    def __init__(self, angle_keys: Sequence[str], rate_keys: Sequence[str], period: float) -> None:
+        """Begin without samples; angle_keys and rate_keys are those of a pendulum.
+
+        period (s) is that of a small swing.
+        """
         self.angle_keys = angle_keys
         self.rate_keys = rate_keys
-        self.rows: deque[array] = deque(maxlen=MOST_ROWS)
+        self.seconds = SWINGS * period  # of the past that a graph shows
+        self.rows: deque[dict[str, float]] = deque()  # the samples of this time
         self.chosen = ENERGY  # a key of choices, unless the present cradle has no such choice
-        self.names: list[str] = []  # of the numbers in a row
-        self.span = next(iter(SPANS))  # a key of SPANS
         self.begin([], is_hidden=False)
 
     def begin(self, colors: Sequence[vector], is_hidden: bool) -> None:
@@ -80,8 +69,6 @@ class Graph:
             self.choices[MOMENTA] = momenta
         for key in self.angle_keys:
             self.choices[f"Angles {key}"] = over_time(key, "degrees", hues)
-        self.choices[NOTHING] = Choice("", "", "t", [])
-        self.main_choices = [*self.choices]
         for key in self.rate_keys:
             self.choices[f"Velocities {key}"] = over_time(key, "degrees/s", hues)
         for number, hue in enumerate(hues, start=1):
@@ -90,85 +77,65 @@ class Graph:
                 if len(self.angle_keys) > 1:
                     name += f", {angle}"
                 self.choices[name] = phase_picture(angle, rate, number, hue)
+        self.choices[NOTHING] = Choice("", "", "t", [])
+        self.names = {"t"}  # of the numbers that a row has
+        for choice in self.choices.values():
+            self.names |= {choice.along, *(curve.name for curve in choice.curves)}
 
     def name(self) -> str:
         """Return the name of what is shown: your choice, if the present cradle has it."""
-        return self.chosen if self.chosen in self.choices else self.main_choices[0]
-
-    def menu(self) -> list[str]:
-        """Return the main choices, and what is shown."""
-        if self.name() in self.main_choices:
-            return self.main_choices
-        return [*self.main_choices, self.name()]
+        return self.chosen if self.chosen in self.choices else next(iter(self.choices))
 
     def add(self, sample: dict[str, float]) -> None:
-        """Add a sample, in place of one of the same time.
-
-        All samples of a cradle have the same names.
-        """
-        self.names = list(sample)
-        if self.rows and self.rows[-1][0] == sample["t"]:
+        """Add a sample, in place of one of the same time; forget those that are too old."""
+        if self.rows and self.rows[-1]["t"] == sample["t"]:
             self.rows.pop()
-        # An array takes a twentieth of a dictionary's memory.
-        self.rows.append(array("d", sample.values()))
+        self.rows.append({name: sample[name] for name in self.names})
+        while self.rows[0]["t"] < sample["t"] - self.seconds:
+            self.rows.popleft()
 
     def show(self, name: str) -> None:
         """Show this one of the choices."""
         self.chosen = name
 
-    def show_span(self, span: str) -> None:
-        """Show this time (a key of SPANS)."""
-        self.span = span
-
     def state(self, start_energy: float) -> dict[str, Any]:
-        """Return the axes, the curves, and the rows with their names; start_energy (J) is 100 %.
+        """Return the axes, the curves, and the rows; start_energy (J) is 100 %.
 
-        A row has the number along x, and one for each curve, in rad as in a data file. graph.js
-        multiplies them by the scales, and so draws degrees. The x axis goes from "from" to "to",
+        A row has the number along x, and one for each curve. The x axis goes from "from" to "to",
         the y axis from "bottom" to "top"; where these are missing, graph.js lets flot choose them.
         """
         choice = self.choices[self.name()]
-        unit = 1.0
-        unit_name = " (kg m/s)" if self.name() == MOMENTA else ""
         if self.name() == ENERGY:
-            unit = (start_energy or 1) / 100
-            unit_name = " (%)"
+            choice = choice._replace(y_scale=100 / (start_energy or 1))
         state: dict[str, Any] = {
             "x": choice.x,
             "y": choice.y,
             "curves": [curve._asdict() for curve in choice.curves],
-            "names": [choice.along, *(curve.name + unit_name for curve in choice.curves)],
             "rows": [],
-            "scales": [choice.x_scale, choice.y_scale],
         }
         if choice.curves and self.rows:
-            state["rows"] = self.numbers(choice, unit)
+            state["rows"] = self.numbers(choice)
             state |= self.limits(choice, state["rows"])
         return state
 
-    def numbers(self, choice: Choice, unit: float) -> list[list[float]]:
-        """Return the rows of a graph, for each curve in this unit; none that is not finite."""
-        first = self.names.index(choice.along)
-        others = [self.names.index(curve.name) for curve in choice.curves]
+    def numbers(self, choice: Choice) -> list[list[float]]:
+        """Return the rows of a graph; none that is not finite."""
         found = []
-        for row in last_rows(self.rows, self.span_of(choice)):
-            numbers = [row[first], *(row[place] / unit for place in others)]
+        for row in self.rows:
+            numbers = [choice.x_scale * row[choice.along]]
+            numbers += [choice.y_scale * row[curve.name] for curve in choice.curves]
             if all(map(isfinite, numbers)):
                 found.append([round(number, 6) for number in numbers])
         return found
 
-    def span_of(self, choice: Choice) -> Span:
-        return SPANS[self.span] if choice.along == "t" else PHASE_SPAN
-
     def limits(self, choice: Choice, rows: list[list[float]]) -> dict[str, float]:
         """Return the ends of the axes that flot must not choose."""
         if choice.along != "t":  # a phase picture: the bob at rest is in its middle
-            right = most(rows, 0) * choice.x_scale
-            top = most(rows, 1) * choice.y_scale
+            right = most(rows, 0)
+            top = most(rows, 1)
             return {"from": -right, "to": right, "bottom": -top, "top": top}
-        seconds = self.span_of(choice).seconds
-        end = max(seconds, self.rows[-1][0])
-        limits = {"from": end - seconds, "to": end}
+        end = max(self.seconds, self.rows[-1]["t"])
+        limits = {"from": end - self.seconds, "to": end}
         if self.name() == ENERGY:
             limits |= {"bottom": 0.0, "top": most(rows, len(choice.curves))}  # of the total
         return limits
@@ -198,18 +165,3 @@ def phase_picture(angle: str, rate: str, number: int, hue: str) -> Choice:
     curve = Curve("", f"{rate}_{number}", hue)
     x, y = f"{angle} (degrees)", f"{rate} (degrees/s)"
     return Choice(x, y, f"{angle}_{number}", [curve], DEGREES, DEGREES)
-
-
-def last_rows(rows: Sequence[array], span: Span) -> list[array]:
-    """Return the rows of this span: the first one in each interval, and the last.
-
-    So a row stays as long as it is drawn. A row begins with its time (s).
-    """
-    firsts: dict[int, array] = {}
-    for row in rows:
-        # 0.09 / 0.03 could be 2.9999999999999996
-        firsts.setdefault(int(row[0] / span.interval + 1e-6), row)
-    drawn = [*firsts.values()]
-    if drawn[-1] is not rows[-1]:
-        drawn.append(rows[-1])
-    return [row for row in drawn if row[0] >= rows[-1][0] - span.seconds]

@@ -39,14 +39,10 @@ class State(TypedDict, total=False):
     # The words of the page
     title: str
     remark: str
-    constants: str
     error: str  # the mistake in your CSV
     endless: str  # a function that does not return
     ended: str | None  # why the program has ended
     word: str  # about your last command
-    same_cradle: str  # a command that makes this cradle again
-    advice: str  # what to do with it
-    setup: str  # the cradle as the file of an experiment
     # The motion
     paused: bool
     running: bool

@@ -76,10 +76,6 @@ class Playback:
         else:
             self.plan(round(FRAME * self.speed_now() / self.cradle.dt))
 
-    def slow_down(self, is_slow: bool) -> None:
-        """Let the time go on slowly, or at its usual speed."""
-        self.set_speed(SLOWLY if is_slow else 1.0)
-
     def set_speed(self, speed: float) -> None:
         """Let the time go on at this speed, times real time, also if a run is in slow motion."""
         self.speed = speed

@@ -1,7 +1,6 @@
 """The readout: the numbers of the motion, a line each."""
 
-from support.constants import G, R_PARAM
-from support.cradle.cradle import Cradle
+from support.constants import R_PARAM
 from support.cradle.motion import Motion, percent_as_text, signed
 from support.cradle.real_time import RealTime
 from support.cradle.stopwatch import Stopwatch
@@ -62,15 +61,3 @@ def momentum_as_text(p: float) -> str:
     if abs(p) < 0.0005:
         return f"{signed(p)} kg m/s"
     return f"{signed(p)} kg m/s {'→' if p > 0 else '←'}"
-
-
-def constants(cradle: Cradle) -> str:
-    """Return where the constants of the program stand, and why the page cannot change them."""
-    gravity = f"G = {G} m/s^2"
-    cord = f"R_PARAM = {R_PARAM} m"
-    tick = f"{cradle.dt_name} = {cradle.dt} s"
-    return (
-        f"Gravity ({gravity}), the length of a cord ({cord}) and a tick ({tick}) are constants of "
-        "the program, in support/constants.py. The page cannot change them: main has the handout's "
-        "line, which takes them from there."
-    )

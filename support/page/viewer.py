@@ -9,7 +9,6 @@ from support.cradle.real_time import FRAME, RealTime
 from support.cradle.settings import Settings
 from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
-from support.files.data_file import EVERY
 from support.files.experiments import Experiment
 from support.files.ghosts import Ghosts
 from support.files.valid_cradle import CradleCsv
@@ -24,17 +23,17 @@ from support.page.lesson import Lesson
 from support.page.names import State
 from support.page.playback import Playback
 from support.page.questions import PREDICTED, Questions
-from support.page.readout import constants, Readout
+from support.page.readout import Readout
 from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
-from support.page.setup import Setup
 from support.page.sound import Sound
 from support.page.unknown import Unknown
 
 REFRESH = 0.1  # s between two changes of the state
-LOOKS_A_SWING = 1000  # of a measurement, in the time of a small swing
+SAMPLES_A_SWING = 90  # for the graph, in the time of a small swing
+LOOKS_A_SWING = 1000  # of a measurement, in this time
 YOURS = "your answer"  # above the ghosts of an answer
 
 
@@ -66,7 +65,7 @@ class Viewer(Player):
     ):
         """Play the cradle as a Player does, in this pace; tabs show it."""
         settings = Settings(start.csv, [*start.angles], start.lifted, cradle.e_source, cradle.mass)
-        super().__init__(cradle, settings, EVERY, pace)
+        super().__init__(cradle, settings, cradle.period / SAMPLES_A_SWING, pace)
         self.tabs = tabs
         self.given_remark = start.remark
         # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
@@ -89,15 +88,12 @@ class Viewer(Player):
         # What shows it
         self.scenery = Scenery()
         self.marks = Marks()
-        self.graph = Graph(cradle.angle_keys, cradle.rate_keys)
+        self.graph = Graph(cradle.angle_keys, cradle.rate_keys, cradle.period)
         self.readout = Readout(
             self.motion, self.pace, self.slow_hits, self.marks, self.stopwatch, self.ghost_file
         )
         self.bars = Bars(self.motion, self.marks, self.questions)
         self.sound = Sound(self.motion)
-        self.setup = Setup(
-            self.chooser, self.next_cradle, self.motion, self.held_bob, str(start.file.filepath)
-        )
         # What you can do
         view_controls = declarations.view_controls(
             self.lesson, self.questions, self.playback, self.marks, self.slow_hits, self.graph
@@ -225,7 +221,6 @@ class Viewer(Player):
         remarks = [remark for remark in (self.given_remark, self.cradle.remark()) if remark]
         state: State = {
             "title": self.cradle.title,
-            "constants": constants(self.cradle),
             "remark": " ".join(remarks),
             "ended": None,
             "hit": self.slow_hits.state(),
@@ -238,7 +233,6 @@ class Viewer(Player):
         for part in (
             self.chooser,
             self.cradle_settings,
-            self.setup,
             self.ghost_file,
             self.playback,
             self.questions,

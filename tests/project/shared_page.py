@@ -14,7 +14,7 @@ PUT_BACK = """() => {
     if (state.running || state.question?.asking) send("pause");
     for (const name of ["ask_first", "ask_seen", "slow_hits", "arrows", "measure", "separating"])
         set(name, false);
-    for (const name of ["graph", "span"]) set(name, state.controls[name].choices[0]);
+    set("graph", state.controls.graph.choices[0]);
     set("count", 5);
     set("e", 1);
     set("mass", 1);

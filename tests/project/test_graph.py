@@ -1,25 +1,14 @@
 """Which numbers the graph shows, at which times, and in which colors."""
 
-from itertools import pairwise
-from math import cos
+from math import cos, degrees
 
 import pytest
 from rig import Rig
-from whole_cradles import GOOD, HEADER
+from whole_cradles import GOOD, HEADER, PERIOD
 
 from support.constants import R_PARAM
-from support.cradle.cradle import Cradle
-from support.files.data_file import EVERY
-from support.page.graph import (
-    DEGREES,
-    ENERGIES,
-    ENERGY,
-    MOMENTA,
-    MOST_DRAWN,
-    NOTHING,
-    PHASE_SPAN,
-    SPANS,
-)
+from support.page.graph import ENERGIES, ENERGY, MOMENTA, MOST_DRAWN, NOTHING, SWINGS
+from support.page.viewer import SAMPLES_A_SWING
 
 ANGLES = "Angles theta"
 # Of the bobs, as a page has them
@@ -28,33 +17,30 @@ CYAN = "rgb(0, 255, 255)"
 BLACK = "rgb(0, 0, 0)"
 
 
-def test_the_graph_shows_the_energies_of_the_last_seconds(rig):
-    """In percent. Its points are always at the same times, so they do not shake."""
-    [(span, (seconds, interval)), _] = SPANS.items()
-    rig.give("span", span)
-    rig.wait(seconds + 1)
-    assert span == f"last {seconds:g} s"
+def test_the_graph_shows_the_energies_of_the_last_swings(rig):
+    """In percent."""
+    rig.wait((SWINGS + 1) * PERIOD)
     curves = rig.state["curves"]
     drawn = {curve["label"]: curve["color"] for curve in curves["curves"]}
     assert drawn == ENERGIES
-    assert curves["names"] == ["t", "kinetic (%)", "potential (%)", "total (%)"]
-    times = [row[0] for row in curves["rows"]]
-    assert curves["to"] - curves["from"] == pytest.approx(seconds)
-    assert times[:-1] == pytest.approx([interval * round(t / interval) for t in times[:-1]])
+    assert curves["to"] - curves["from"] == pytest.approx(SWINGS * PERIOD)
     for _, kinetic, potential, total in curves["rows"]:
         assert kinetic + potential == pytest.approx(total, abs=1e-5)
         assert total == pytest.approx(100, abs=0.1)
 
 
-def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch):
-    monkeypatch.setattr(Cradle, "dt", 7e-4)
+@pytest.mark.parametrize("factor", [0.25, 100])
+def test_the_time_axis_is_full_and_follows_the_swing(csv, monkeypatch, factor):
+    """With other cords, a swing has as many points."""
+    monkeypatch.setattr("support.cradle.cradle.R_PARAM", factor * R_PARAM)
     rig = Rig(csv)
-    rig.wait(10.5)
-    for span, (_, interval) in SPANS.items():
-        rig.give("span", span)
-        curves = rig.state["curves"]
-        times = [curves["from"], *(row[0] for row in curves["rows"]), rig.time()]
-        assert max(after - before for before, after in pairwise(times)) < 2 * interval
+    assert rig.cradle.period == pytest.approx(factor**0.5 * PERIOD)
+    rig.wait((SWINGS + 0.5) * rig.cradle.period)
+    curves = rig.state["curves"]
+    times = [row[0] for row in curves["rows"]]
+    assert times[0] - curves["from"] < 2 * rig.cradle.period / SAMPLES_A_SWING
+    assert times[-1] == pytest.approx(curves["to"])
+    assert len(times) == pytest.approx(SWINGS * SAMPLES_A_SWING, rel=0.03)
 
 
 @pytest.mark.parametrize(
@@ -68,7 +54,7 @@ def test_the_time_axis_is_full_with_any_tick(csv, monkeypatch):
 )
 def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     rig.save(HEADER + GOOD + GOOD.replace("red", "cyan"))
-    rig.give("all_graphs", choice)
+    rig.give("graph", choice)
     rig.wait(0.5)
     rig.viewer.take_sample()
     rig.wait()
@@ -82,23 +68,20 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     momenta = [R_PARAM * omega * cos(theta) for theta, omega in zip(thetas, omegas, strict=True)]
     moments = {
         MOMENTA: [time, *momenta, sum(momenta)],  # of bobs of 1 kg, to the right
-        ANGLES: [time, *thetas],
-        "Velocities omega": [time, *omegas],
-        "Phase 2": [thetas[1], omegas[1]],
+        ANGLES: [time, *map(degrees, thetas)],
+        "Velocities omega": [time, *map(degrees, omegas)],
+        "Phase 2": [degrees(thetas[1]), degrees(omegas[1])],
     }
     assert graph["rows"][-1] == pytest.approx(moments[choice], abs=1e-6)
-    # The page draws degrees; the rows, which you can save, have rad
-    assert graph["scales"] == [DEGREES if "degrees" in axis else 1 for axis in (x, y)]
 
 
 def test_the_phase_picture_has_rest_in_its_middle_and_an_end(rig):
-    rig.give("all_graphs", "Phase 1")
-    rig.wait(PHASE_SPAN[0] + 1)
+    rig.give("graph", "Phase 1")
+    rig.wait(PERIOD)
     graph = rig.state["curves"]
     for first, last, column in (("from", "to", 0), ("bottom", "top", 1)):
         farthest = max(abs(row[column]) for row in graph["rows"])
-        assert graph[first] == -graph[last] == pytest.approx(-1.05 * DEGREES * farthest)
-    assert len(graph["rows"]) == pytest.approx(PHASE_SPAN[0] / EVERY, abs=2)
+        assert graph[first] == -graph[last] == pytest.approx(-1.05 * farthest)
 
 
 def test_a_new_cradle_keeps_the_chosen_graph_if_it_can(rig):
@@ -106,18 +89,18 @@ def test_a_new_cradle_keeps_the_chosen_graph_if_it_can(rig):
     rig.save(HEADER + GOOD * (MOST_DRAWN + 3))
     assert rig.state["graph"] == ANGLES
     assert len(rig.state["curves"]["curves"]) == MOST_DRAWN
-    rig.give("all_graphs", "Phase 7")
+    rig.give("graph", "Phase 7")
     rig.save(HEADER + GOOD * 2)
     assert rig.state["graph"] == ENERGY
 
 
 def test_no_graph_sends_nothing_and_a_restart_empties_it(rig):
     rig.give("graph", NOTHING)
-    rig.wait(2)
+    rig.wait(PERIOD)
     assert not rig.state["curves"]["curves"]
     assert not rig.state["curves"]["rows"]
     rig.give("graph", ENERGY)
     # It shows what was recorded meanwhile
-    assert len(rig.state["curves"]["rows"]) == pytest.approx(2 / EVERY, abs=2)
+    assert len(rig.state["curves"]["rows"]) == pytest.approx(SAMPLES_A_SWING, abs=2)
     rig.give("restart")
     assert len(rig.state["curves"]["rows"]) == 1

@@ -1,18 +1,8 @@
-"""What a class sees, hears and takes home: colors, shadows, pictures, words, saved numbers."""
+"""What a class sees and hears: colors, shadows, pictures, words."""
 
 import pages
 import pytest
-from pages import (
-    menu,
-    pause,
-    press,
-    saved,
-    slide,
-    slider_texts,
-    violations,
-    wait_for_angles,
-    wait_for_time,
-)
+from pages import pause, press, slide, slider_texts, wait_for_angles, wait_for_time
 from programs import wait_until
 from shared_page import wait_for_text
 from whole_cradles import HEADER
@@ -129,23 +119,3 @@ def test_the_cradle_in_a_sentence_is_told_when_you_pause_or_ask_never_by_itself(
     wait_until(lambda: " degrees " in summary.text_content() != before)
     pause(shared)
     wait_until(lambda: summary.text_content() == shared.evaluate("state.summary"))
-
-
-def test_the_setup_and_the_numbers_of_the_graph_are_selected_and_saved(shared):
-    for name in ("keep", "details"):
-        shared.locator(f".{name} summary").click()
-    pause(shared)
-    menu(shared, "All graphs").select_option("Phase 5")
-    shared.wait_for_function("() => state.controls.graph.value === 'Phase 5'")
-    assert violations(shared) == {}
-    for name in ("same_cradle", "setup"):
-        shared.locator(f"pre[data-text={name}]").click()
-        selected = shared.evaluate("getSelection().toString()")
-        assert selected == shared.evaluate(f"state.{name}").strip()
-    name, file = saved(shared, "Save as a file")
-    assert (name, file.read_text()) == ("my_cradle.txt", shared.evaluate("state.setup"))
-    name, file = saved(shared, "Save the numbers of the graph")
-    head, *rows = file.read_text().splitlines()
-    assert (name, head) == ("graph.csv", "theta_5,omega_5")
-    numbers = [[*map(float, row.split(","))] for row in rows]
-    assert numbers == shared.evaluate("state.curves.rows")

@@ -229,8 +229,6 @@ def test_a_lesson_in_present_by_touch_alone_predict_see_and_explain(shared):
     shared.get_by_text("Paused", exact=True).wait_for()
     button(shared, "3").tap()
     wait_for_angles(shared, -45, -45, -45, 0, 0)
-    shared.get_by_label("Slow motion").tap()
-    wait_until(lambda: shared.evaluate("state.controls.speed.value") == 0.1)
     button(shared, "Next experiment").tap()
     question.get_by_text("Three bobs come in, and two hang.").wait_for()
     button(shared, "End the presentation").tap()

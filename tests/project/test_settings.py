@@ -1,13 +1,17 @@
 """Which cradle the page plays: what its sliders set, and what you choose."""
 
+import sys
 from math import degrees
+from unittest.mock import Mock
 
 import pytest
 from rig import Rig
-from whole_cradles import GOOD, HEADER
+from whole_cradles import go_on, GOOD, HEADER
 
-from src import visualize_cradle_run
+from src import special_cradles, visualize_cradle_run
 from support.cradle.double_cradle import DoubleCradle
+from support.files.experiments import EXPERIMENTS
+from support.page import show_cradle
 from support.page.graph import ENERGY, MOMENTA, NOTHING
 from support.pendulum import outwards_to_angle
 
@@ -146,18 +150,20 @@ def test_each_angle_of_a_double_cradle_has_its_slider_and_its_graphs(csv):
     assert rig.values("phi") == pytest.approx([outwards_to_angle(-12.5)])
     assert rig.control("angle_phi")["label"] == "Angle phi"
     assert rig.control("angle_phi")["min"] == -180
-    main = [ENERGY, MOMENTA, "Angles theta", "Angles phi", NOTHING]
-    assert rig.control("graph")["choices"] == main
-    assert rig.control("all_graphs")["choices"] == [
-        *main,
+    assert rig.control("graph")["choices"] == [
+        ENERGY,
+        MOMENTA,
+        "Angles theta",
+        "Angles phi",
         "Velocities omega",
         "Velocities phi_omega",
         "Phase 1, theta",
         "Phase 1, phi",
+        NOTHING,
     ]
     rig.give("graph", "Angles phi")
     assert rig.state["curves"]["y"] == "phi (degrees)"
-    assert rig.state["curves"]["rows"] == [pytest.approx([0, *rig.values("phi")])]
+    assert rig.state["curves"]["rows"] == [[0, 12.5]]
 
 
 def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
@@ -191,3 +197,43 @@ def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
     assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
     assert {*rig.values("e")} == {0}
     assert rig.bob_angles()[:3] == [20, 20, 0]
+
+
+# --- options ---------------------------------------------------------------------------------
+
+BUILT_IN = str(EXPERIMENTS / "single" / "2_two_bobs.txt")
+
+
+@pytest.fixture
+def start(monkeypatch, tmp_path):
+    """What starts the program with these words, in tmp_path; it returns the viewer."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(show_cradle, "open_page", Mock())
+    monkeypatch.setattr(show_cradle, "run", Mock())
+
+    def start(words):
+        monkeypatch.setattr(sys, "argv", ["", *words.split()])
+        show_cradle.show_cradle(visualize_cradle_run.main, special_cradles)
+        _, viewer = show_cradle.run.call_args[0]
+        viewer.next_cradle.want()
+        go_on(viewer)
+        return viewer
+
+    return start
+
+
+def test_ghosts_of_a_file_leave_an_experiment_as_it_is(start, tmp_path):
+    (tmp_path / "film.csv").write_text("start,0,-20\nt,theta_1\n0,1\n")
+    viewer = start(f"--experiment {BUILT_IN} --ghosts film.csv")
+    assert viewer.chooser.whole_experiment()
+
+
+def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
+    """Without a question, nothing is asked."""
+    names = start("").chooser.names()
+    (tmp_path / "two.txt").write_text("name = Two bobs\ntheta = 0 -10")
+    for path, count in ((BUILT_IN, 5), ("two.txt", 2)):
+        viewer = start(f"--experiment {path}")
+        assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
+        assert len(viewer.cradle.pend_list) == count
+        assert bool(viewer.questions.asking) == (path == BUILT_IN)

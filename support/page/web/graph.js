@@ -18,10 +18,9 @@ function placeGraph() {
 }
 
 export function drawGraph() {
-  const { x, y, curves, rows, scales, from, to, bottom, top } = state.curves ?? { curves: [] };
+  const { x, y, curves, rows, from, to, bottom, top } = state.curves ?? { curves: [] };
   const place = one(".plot");
   one(".graph").classList.toggle("none", !curves.length);
-  one(".save-graph").disabled = !curves.length;
   one(".x").textContent = x ?? "";
   one(".y").textContent = y ?? "";
   // flot draws nothing that is hidden.
@@ -29,7 +28,7 @@ export function drawGraph() {
   const data = curves.map(({ label, color }, i) => ({
     label,
     color: legible(color),
-    data: rows.map(row => [scales[0] * row[0], scales[1] * row[i + 1]]),
+    data: rows.map(row => [row[0], row[i + 1]]),
   }));
   const line = css("--line");
   plot(place, data, {

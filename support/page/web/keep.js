@@ -1,13 +1,7 @@
-// The fold "Save and compare": the setup of the cradle as text or as a file, the run, the numbers
-// of the graph, and ghosts.
+// The fold "Save and compare": the run, and ghosts.
 import { make, one, state } from "page";
 import { send } from "program";
 
-one(".save-setup").onclick = () => save("my_cradle.txt", new Blob([state.setup]));
-one(".save-graph").onclick = () => {
-  const { names, rows } = state.curves;
-  save("graph.csv", new Blob([[names, ...rows].join("\n")])); // a row as text has commas
-};
 one(".save-run").onclick = async ({ target }) => {
   const message = one(".unsaved");
   message.textContent = "";
