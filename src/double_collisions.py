@@ -181,27 +181,6 @@ def keep_apart(pend1: DoublePendulumEntry, pend2: DoublePendulumEntry, r_param: 
     return moved
 
 
-def collide_pairs(pend_list: list[DoublePendulumEntry], r_param: float) -> list[tuple[int, int]]:
-    """Let touching double pendula collide, pair by pair from left to right.
-
-    Not only neighbours touch: a lower bob swings past its neighbour's cord to the bobs behind it.
-    The pairs collide again while there are hits, up to SWEEPS times. Return the pairs that
-    collided, in the order of their hits, as (left, right), indices into pend_list.
-    """
-    pairs = touching_pairs(pend_list, r_param)
-    hits: list[tuple[int, int]] = []
-    for _ in range(SWEEPS):
-        sweep = [
-            (left, right)
-            for left, right in pairs
-            if handle_two_double_bobs(pend_list[left], pend_list[right], r_param)
-        ]
-        if not sweep:
-            break
-        hits += sweep
-    return hits
-
-
 def touching_pairs(pend_list: list[DoublePendulumEntry], r_param: float) -> list[tuple[int, int]]:
     """Return the indices (left, right) of each pair of touching double pendula, from left to right.
 

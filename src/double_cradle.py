@@ -46,7 +46,7 @@ from typing import TypeAlias
 
 from vpython import box, cylinder, sphere, vector
 
-from src.double_collisions import collide_pairs, keep_apart
+from src.double_collisions import handle_two_double_bobs, keep_apart, SWEEPS, touching_pairs
 from src.special_cradles import make_newton_cradle
 from support.pendulum import (
     discard,
@@ -172,6 +172,27 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
         )
     pend_dict.update(omega=omega, phi_omega=phi_omega, theta=theta, phi=phi)
     show_double_pendulum(pend_dict, r_param)
+
+
+def collide_pairs(pend_list: list[DoublePendulumEntry], r_param: float) -> list[tuple[int, int]]:
+    """Let touching double pendula collide, pair by pair from left to right.
+
+    Not only neighbours touch: a lower bob swings past its neighbour's cord to the bobs behind it.
+    The pairs collide again while there are hits, up to SWEEPS times. Return the pairs that
+    collided, in the order of their hits, as (left, right), indices into pend_list.
+    """
+    pairs = touching_pairs(pend_list, r_param)
+    hits: list[tuple[int, int]] = []
+    for _ in range(SWEEPS):
+        sweep = [
+            (left, right)
+            for left, right in pairs
+            if handle_two_double_bobs(pend_list[left], pend_list[right], r_param)
+        ]
+        if not sweep:
+            break
+        hits += sweep
+    return hits
 
 
 def double_cradle_tick(pend_list, r_param, dt, g) -> None:

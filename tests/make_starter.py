@@ -63,10 +63,11 @@ program.refuse_to_run()
 # Patterns of what the files of src/ lose: imports, arguments and sentences that go beyond the
 # handout, and how the double cradle integrates.
 CUT = (
-    r" *from \S+ import (?:(?:collide_pairs|cos|keep_apart|many_ticks|pairwise)(?:, |\n))+\n?",
+    r" *from \S+ import (?:(?:cos|many_ticks|pairwise)(?:, |\n))+\n?",
+    r"from src.double_collisions import .*\n",
     r", (?:\*\*page\.rule|approaching_only=\w+|many_ticks)(?=\))",
     r'\n+    (?:With approaching_only)[^"]*(?=\n    "{3})',
-    r"(?s)\n    The motion is chaotic.*?(?=\"{3})|def (?:rates|moved)\(.*?\n\n\n",
+    r"(?s)\n    The motion is chaotic.*?(?=\"{3})|def (?:collide_pairs|moved|rates)\(.*?\n\n\n",
 )
 
 

@@ -1,7 +1,9 @@
 """The cradle of a program: main makes and moves it; this class releases and measures it."""
 
 from argparse import Namespace
+from collections import ChainMap
 from collections.abc import Callable, Mapping, Sequence
+from inspect import signature
 from itertools import accumulate, takewhile
 from math import pi, sqrt
 from types import ModuleType
@@ -12,7 +14,6 @@ from support import waits
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import move, push_others
-from support.cradle.functions import scope_of, takes_rule
 from support.cradle.settings import Source
 from support.energy import bob_motions, energies, momentum
 from support.files.experiments import Hidden
@@ -39,13 +40,12 @@ class Cradle:
     # A pendulum's keys of its angles (rad), the upper cord first, and of their rates (rad/s).
     angle_keys: Sequence[str] = ("theta",)
     rate_keys: Sequence[str] = ("omega",)
-    # The names, in the handout's modules, of the functions of this cradle.
+    # The names of the functions of this cradle.
     make_name = "make_newton_cradle"
     tick_name = "newton_cradle_tick"
-    # The first one that exists lets two pendula collide.
+    # The first one that the tick's module has lets two pendula collide.
     collide_names: Sequence[str] = ("handle_two_bobs",)
     has_rule = True  # whether the handout has a rule for separating bobs
-    shown_name = "handle_collision"  # One tick shows its calls
 
     def __init__(
         self,
@@ -54,13 +54,12 @@ class Cradle:
         options: Namespace,
         many_ticks: ModuleType | None = None,
     ):
-        """Find the functions that make and move the pendula.
+        """Find the functions that make and move the pendula, in main's module and special_cradles.
 
-        They are in main's module, in special_cradles, and in all of src/. options has elastic,
-        inelastic, e and mass from support/start/options.py. many_ticks is the module
-        of the fast path, or None.
+        options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the
+        module of the fast path, or None.
         """
-        self.scope = scope_of(main, special_cradles)
+        self.scope = ChainMap(main.__globals__, vars(special_cradles))
         self.many_ticks = many_ticks
         self.mass: float | None = options.mass  # kg, at the start
         self.needs = {"extract_and_convert", self.make_name}  # or there is no picture
@@ -80,11 +79,14 @@ class Cradle:
         # s: the longest time between two hits of one series. A tick can let a hit go on by only
         # one bob.
         self.series_pause = max(self.period / 180, 3 * self.dt)
-        self.tick_function = self.scope[self.tick_name]
-        present = [name for name in self.collide_names if name in self.scope]
+        self.make_function = self.scope.get(self.make_name, main)
+        self.tick_function = self.scope.get(self.tick_name, main)
+        # The names of the tick's module, in which it finds the function that collides
+        self.tick_names = getattr(self.tick_function, "__globals__", main.__globals__)
+        present = [name for name in self.collide_names if name in self.tick_names]
         self.collide_name = (present or self.collide_names)[0]
-        collide = self.scope.get(self.collide_name, self.tick_function)
-        self.takes_rule = takes_rule(self.tick_function, collide)
+        collide = self.tick_names.get(self.collide_name, self.tick_function)
+        self.takes_rule = takes_rule(self.tick_function) and takes_rule(collide)
 
     def e_source_of(self, options: Namespace) -> Source | None:
         """Return the source of the e that options name, or None; note which functions it needs."""
@@ -123,7 +125,7 @@ class Cradle:
         complete pendula.
         """
         keys = (*SETTABLE, *self.angle_keys, *self.rate_keys)
-        require_pendula(self.scope[self.make_name], pend_list, keys, 1 + 2 * self.cord_count)
+        require_pendula(self.make_function, pend_list, keys, 1 + 2 * self.cord_count)
         self.pend_list = pend_list
         self.places = {tuple(axle.pos.value): index for index, axle in enumerate(self.axles())}
         self.count = len(pend_list)
@@ -310,3 +312,8 @@ class Cradle:
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
+
+
+def takes_rule(function: Callable) -> bool:
+    """Return whether a function has the parameter approaching_only."""
+    return "approaching_only" in signature(function).parameters

@@ -14,8 +14,7 @@ from math import inf
 from time import perf_counter
 
 from support.cradle.cradle import Cradle
-from support.cradle.held_bob import HeldBob
-from support.cradle.hits import Hit, Hits
+from support.cradle.hits import Hits
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
 from support.cradle.settings import NextCradle, Settings
@@ -28,8 +27,6 @@ from support.start.mistake import MistakeError
 ENDLESS_AFTER = 1.0
 # Questions after is_running was False: a loop in a loop asks again, but not so often.
 MOST_REFUSED = 1000
-# Ticks in a batch for slow hits, or while a bob is held: it then falls by less than 0.01 degrees.
-FEW_TICKS = 10
 
 
 class Player(Page):
@@ -57,8 +54,7 @@ class Player(Page):
         self.cradle = cradle
         self.next_cradle = NextCradle(settings, separating=not cradle.takes_rule)
         self.motion = Motion(cradle)
-        self.held_bob = HeldBob(cradle)
-        self.hits = Hits(cradle, self.held_bob)
+        self.hits = Hits(cradle)
         self.pace = pace or RealTime(cradle.dt)
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
         self.path = ""  # of the CSV, or of a copy, for the loop
@@ -70,7 +66,6 @@ class Player(Page):
         # The ticks of this frame.
         self.planned: float = 0  # those that no batch has yet
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
-        self.with_calls = False  # whether calls of the collision function are noted
         # The ticks of a batch.
         self.is_in_batch = False
         self.due: float = 0  # those that the loop must still do
@@ -88,23 +83,22 @@ class Player(Page):
         """Show or record this moment; a subclass may define this."""
 
     def looks_at_hits(self) -> bool:
-        """Return whether the loop does all ticks, a few in a batch; a subclass may define this."""
+        """Return whether a batch ends at a hit; a subclass may define this. The loop then does all
+        ticks.
+        """
         return False
 
     def longest_batch(self) -> int:
-        """Return after how many ticks, at most, to look at the cradle."""
-        is_held = self.held_bob.index is not None
-        return FEW_TICKS if is_held or self.looks_at_hits() else self.step
+        """Return after how many ticks to look at the cradle; a subclass may define this."""
+        return self.step
 
-    def plan(self, ticks: float, deadline: float = inf, with_calls: bool = False) -> None:
+    def plan(self, ticks: float, deadline: float = inf) -> None:
         """Let `ticks` ticks be done in this frame, but begin none after the deadline.
 
-        The deadline is a time on the pace's clock. With with_calls, the loop does them, and
-        hits notes the calls of the collision function.
+        The deadline is a time on the pace's clock.
         """
         self.planned = ticks
         self.deadline = deadline
-        self.with_calls = with_calls
 
     def keep_time(self, most: float = inf) -> None:
         """Plan the ticks that are due by the clock, but at most `most`.
@@ -117,7 +111,6 @@ class Player(Page):
 
     def begin(self) -> None:
         """Get ready for the loop to make and show a cradle."""
-        self.held_bob.forget()
         self.cradle.give_back()
         self.path = self.copy.enter_context(file_for_pandas(self.next_cradle.settings.csv))
         self.next_cradle.is_wanted = False
@@ -175,7 +168,9 @@ class Player(Page):
         """
         if not self.is_shown:
             raise MistakeError(self.loop, "asked page.is_running() before page.show(pend_list).")
-        self.end_tick()
+        if self.due and self.must_look():
+            self.planned += self.due
+            self.due = 0
         while not self.due:
             if self.is_in_batch:
                 self.end_batch()
@@ -191,16 +186,13 @@ class Player(Page):
                 self.frame()
         self.due -= 1
         self.motion.ticks += 1
-        self.hits.begin_tick(self.motion.ticks)
+        self.hits.tick = self.motion.ticks
         return True
 
-    def end_tick(self) -> None:
-        """Note the hits of the last tick, and look at the deadline."""
-        if self.is_in_batch:
-            self.hits.end_tick()
-        if self.due and self.pace.clock() >= self.deadline:
-            self.planned += self.due
-            self.due = 0
+    def must_look(self) -> bool:
+        """Return whether the batch ends before its time: at the deadline, or with a hit to show."""
+        has_hit = self.looks_at_hits() and bool(self.hits.noted)
+        return has_hit or self.pace.clock() >= self.deadline
 
     def refuse(self) -> None:
         """Count this question; raise a MistakeError if the loop does not end."""
@@ -217,11 +209,9 @@ class Player(Page):
         batch = int(min(self.planned, until_sample, self.longest_batch()))
         self.planned -= batch
         self.is_in_batch = True
-        self.hits.forget()
-        self.held_bob.make_heavy()
-        must_be_single = self.with_calls or self.looks_at_hits()
-        if must_be_single or not self.do_at_once(batch):
-            self.hits.listen(self.with_calls)
+        self.hits.noted.clear()
+        if self.looks_at_hits() or not self.do_at_once(batch):
+            self.hits.listen()
             self.due = batch
 
     def do_at_once(self, ticks: int) -> bool:
@@ -235,9 +225,8 @@ class Player(Page):
         hits = cradle.many_ticks.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
         if hits is None:
             return False
-        if self.held_bob.index is None:
-            before = self.motion.ticks
-            self.note_hits([hit._replace(tick=before + hit.tick) for hit in hits])
+        before = self.motion.ticks
+        self.hits.noted += [hit._replace(tick=before + hit.tick) for hit in hits]
         self.motion.ticks += ticks
         return True
 
@@ -245,16 +234,11 @@ class Player(Page):
         """Look at the result of a batch."""
         self.is_in_batch = False
         self.hits.stop()
-        self.note_hits(self.hits.noted)
-        self.held_bob.put_back()
+        for hit in self.hits.noted:
+            self.motion.note_hit(hit)
         self.cradle.require_same_pendula()
         if self.motion.ticks % self.step == 0:
             self.take_sample()
-
-    def note_hits(self, hits: list[Hit]) -> None:
-        """Add these hits to the motion."""
-        for hit in hits:
-            self.motion.note_hit(hit)
 
 
 def run(loop: Loop, player: Player) -> None:

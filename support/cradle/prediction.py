@@ -98,7 +98,7 @@ class Measurement:
         if self.outcome() == experiment.explained:
             return experiment.why.format(**self.numbers())
         if self.hit_time == inf:
-            return f"In {self.end:.2f} s, no two bobs hit each other."
+            return f"In {self.end:.2f} s, no hit was seen."
         if self.left_time == inf:
             return f"After {self.end:.2f} s, the bobs still hit each other."
         swings = ", ".join(f"{swing:.0f}" for swing in self.swings)

@@ -8,7 +8,6 @@ from typing import Any
 
 from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
-from support.cradle.held_bob import HeldBob
 from support.cradle.settings import NextCradle
 from support.page.chooser import Chooser
 from support.page.controls import (
@@ -238,7 +237,8 @@ def commands(
     unknown: Unknown,
     settings: CradleSettings,
     ghost_file: GhostFile,
-    held_bob: HeldBob,
+    grab: Callable[..., None],
+    drag: Callable[..., None],
     let_go: Callable[[], None],
     restart: Callable[[], None],
     reset: Callable[[], None],
@@ -256,8 +256,8 @@ def commands(
         "answer": Command(questions.answer, (is_text, is_count)),
         "check": Command(unknown.check, (is_text,)),
         "edit": Command(settings.edit, (is_count, is_in_table, is_text)),
-        "grab": Command(held_bob.grab, (is_point, is_direction)),
-        "drag": Command(held_bob.drag, (is_point, is_direction)),
+        "grab": Command(grab, (is_point, is_direction)),
+        "drag": Command(drag, (is_point, is_direction)),
         "let_go": Command(let_go),
         "load_ghosts": Command(ghost_file.load, (is_text, is_file)),
         "remove_ghosts": Command(ghost_file.remove),

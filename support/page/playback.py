@@ -68,12 +68,11 @@ class Playback:
         return not self.questions.asking
 
     def do_step(self) -> None:
-        """Do the ticks of one frame, while paused, or show the next one of slow hits."""
+        """While paused, show the next one of slow hits; without one, do the ticks of a frame."""
         if not self.can_go_on() or self.is_running():
             return
-        if self.slow_hits.current or self.slow_hits.waiting:
-            self.slow_hits.show_next(self.pace.clock())
-        else:
+        self.slow_hits.show_next(self.pace.clock())
+        if not self.slow_hits.current:
             self.plan(round(FRAME * self.speed_now() / self.cradle.dt))
 
     def set_speed(self, speed: float) -> None:

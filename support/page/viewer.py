@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 from support.cradle.cradle import Cradle
+from support.cradle.held_bob import HeldBob
 from support.cradle.player import Player
 from support.cradle.real_time import FRAME, RealTime
 from support.cradle.settings import Settings
@@ -84,6 +85,7 @@ class Viewer(Player):
         self.playback = Playback(cradle, self.pace, self.questions, self.slow_hits, self.plan)
         self.lesson = Lesson(self.chooser, self.next_cradle, self.questions, self.playback)
         self.unknown = Unknown(cradle)
+        self.held_bob = HeldBob(cradle)
         self.stopwatch = Stopwatch()
         # What shows it
         self.scenery = Scenery()
@@ -113,7 +115,8 @@ class Viewer(Player):
             self.unknown,
             self.cradle_settings,
             self.ghost_file,
-            self.held_bob,
+            self.held_bob.grab,
+            self.drag,
             self.let_go,
             self.next_cradle.want,
             self.reset,
@@ -129,7 +132,6 @@ class Viewer(Player):
             self.carry_out(*self.tabs.commands.get())
         if not self.next_cradle.is_wanted:
             self.chooser.look_at_file()
-            self.leave_moved_cradle()
         if self.chooser.is_changed:
             if self.questions.asking == PREDICTED:  # what follows would give the answer away
                 self.playback.is_paused = True
@@ -138,6 +140,9 @@ class Viewer(Player):
         if self.tabs.are_gone:
             self.is_over = True
             self.planned = 0
+        elif self.held_bob.index is not None:
+            self.planned = 0  # also of a step
+            self.pace.restart()
         elif self.playback.is_resting() or not self.playback.is_running():
             self.pace.restart()
         elif not (self.next_cradle.is_wanted or self.planned):
@@ -157,13 +162,6 @@ class Viewer(Player):
         if control and control.takes(value):
             control.set(value)
 
-    def leave_moved_cradle(self) -> None:
-        """Leave the experiment once you have moved a bob, and slow hits while you hold it."""
-        if self.held_bob.has_moved:
-            self.chooser.leave_experiment()
-        if self.held_bob.index is not None:
-            self.slow_hits.clear()
-
     def progress(self) -> tuple[float, float]:
         """Return what changes with each tick and each frame."""
         return self.motion.ticks, self.pace.frame_start
@@ -173,10 +171,9 @@ class Viewer(Player):
 
         Ten times a second show all of it, else what must be in step with the bobs.
         """
-        if self.held_bob.index is not None:
+        if self.held_bob.has_moved:
             self.motion.set_start()  # 100 % is the energy of this moment
-            if not self.playback.is_running():
-                self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
+            self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view([*self.cradle.bobs(), *self.ghosts_in_view()])
         self.sound.look()
         if not self.tabs.have_room():
@@ -246,6 +243,7 @@ class Viewer(Player):
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
         cradle = self.cradle
+        self.held_bob.let_go()
         self.tabs.begin_run()
         self.lesson.begin(self.motion)
         self.scenery.surround(
@@ -262,11 +260,19 @@ class Viewer(Player):
             self.next_refresh = 0.0
             self.pace.restart()
 
+    def drag(self, place: Sequence[float], direction: Sequence[float]) -> None:
+        """Move the held bob: the cradle is no longer that of an experiment, and shows no hit."""
+        self.held_bob.drag(place, direction)
+        if self.held_bob.has_moved:
+            self.chooser.leave_experiment()
+            self.slow_hits.clear()
+
     def let_go(self) -> None:
-        """Let the held bob, if there is one, swing on."""
-        if self.held_bob.let_go():
+        """Let the held bob, if there is one, swing from where it is."""
+        if self.held_bob.has_moved:
             self.motion.set_start()
             self.begin_swing()
+        self.held_bob.let_go()
 
     def begin_swing(self) -> None:
         """Measure from this moment on: bobs were let go."""
@@ -306,9 +312,8 @@ class Viewer(Player):
     def end_batch(self) -> None:
         """Look at the result of a batch: measure an experiment, or show its hits."""
         super().end_batch()
-        if (
-            self.motion.ticks % self.step == 0
-        ):  # not take_sample, which a drag calls again and again
+        # Not in take_sample, which a drag calls again and again.
+        if self.motion.ticks % self.step == 0:
             self.ghost_file.ghosts.compare(self.cradle.pend_list, self.motion.time())
         if self.questions.measure():
             self.planned = 0
@@ -316,6 +321,7 @@ class Viewer(Player):
             self.slow_hits.add(self.hits.noted, self.motion.time(), self.motion.fast_speed)
             if self.slow_hits.waiting:
                 self.planned = 0
+                self.playback.look_longer()  # so the next picture shows the hit
 
     def reset(self) -> None:
         """Begin again with your CSV, as the program has started."""

@@ -10,14 +10,9 @@ from vpython import mag
 from whole_cradles import check_places, distances, energy, hang_double, PERIOD, velocities
 
 from grading.cradles import left_over, MIXED, MIXED_CSV, shapes
-from src.double_collisions import (
-    collide_pairs,
-    handle_two_double_bobs,
-    keep_apart,
-    ROUNDING,
-    touching_pairs,
-)
+from src.double_collisions import handle_two_double_bobs, keep_apart, ROUNDING, touching_pairs
 from src.double_cradle import (
+    collide_pairs,
     double_angle_update,
     double_cradle_tick,
     double_swing_update,

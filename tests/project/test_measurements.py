@@ -164,7 +164,7 @@ def test_an_experiment_that_expects_something_else_says_so(tmp_path):
     ("theta", "explanation", "swings"),
     [
         ("-45 45", "They stop.", 0.5),  # nothing moves any more
-        ("0 0", "In 2.69 s, no two bobs hit each other.", 3),
+        ("0 0", "In 2.69 s, no hit was seen.", 3),
     ],
 )
 def test_a_measurement_ends_in_any_case(short, theta, explanation, swings):

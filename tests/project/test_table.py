@@ -140,6 +140,6 @@ def test_a_command_with_other_values_does_nothing(rig):
     for command in REFUSED:
         rig.give(*command)
         assert rig.state == before, command
-        assert rig.viewer.held_bob.grabbed == 2, command
+        assert rig.viewer.held_bob.index == 2, command
     rig.give("drag", *RAY)
     assert rig.bob_angles()[2] == 3  # atan(1 / 20)

@@ -15,13 +15,12 @@ from src.double_cradle import make_double_pendulum
 from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
 from support.cradle import many_ticks
 from support.cradle.cradle import Cradle
-from support.cradle.dragging import move
 from support.cradle.player import Player
 from support.cradle.settings import Settings
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import CradleCsv, read_cradle
-from support.pendulum import contact_distance, cord_angles, outwards_to_angle
+from support.pendulum import contact_distance, outwards_to_angle
 
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
@@ -145,12 +144,6 @@ class Swing(Player):
     def swing(self, ticks):
         self.plan(ticks)
         go_on(self)
-
-    def hold(self, bob):
-        """Hold this bob at rest, where it is."""
-        self.held_bob.index = bob
-        pend = self.held_bob.pend_of(bob)
-        move(pend, cord_angles(pend), R_PARAM)
 
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
