@@ -63,21 +63,17 @@ class Motion:
         side = "left" if angle < 0 else "right"
         texts = [f"t = {self.time():.2f} s"]
         if not self.cradle.hidden:
-            texts.append(f"energy {percent_as_text(self.percents()['energy']).strip()}")
+            texts.append(f"energy {percent_as_text(self.energy_percent()).strip()}")
         texts.append(f"{bobs} at {abs(angle):.0f} degrees {side}")
         return ", ".join(texts)
 
-    def percents(self, pend_list: list[Pendulum] | None = None) -> dict[str, float]:
-        """Return the energy and its two parts, in percent of the energy at the start.
+    def energy_percent(self, pend_list: list[Pendulum] | None = None) -> float:
+        """Return the energy of these pendula in percent of that at the start.
 
-        They are those of these pendula; None stands for those of the cradle.
+        None stands for those of the cradle. Without energy at the start, it is 0.
         """
-        kinetic, potential = energies(pend_list or self.cradle.pend_list, R_PARAM, G)
-        parts = {"energy": kinetic + potential, "kinetic": kinetic, "potential": potential}
-        unit = self.start_energy / 100
-        if not unit:
-            return dict.fromkeys(parts, 0.0)
-        return {name: energy / unit for name, energy in parts.items()}
+        energy = sum(energies(pend_list or self.cradle.pend_list, R_PARAM, G))
+        return 100 * energy / self.start_energy if self.start_energy else 0.0
 
     def sample(self) -> Sample:
         """Return the data of this moment by the names of the columns of a data file.

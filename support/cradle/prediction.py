@@ -42,7 +42,7 @@ class Measurement:
     def measure(self) -> None:
         """Measure this moment, until is_over: about a thousand times in a swing."""
         self.end = self.motion.time()
-        self.energy = self.motion.percents()["energy"]
+        self.energy = self.motion.energy_percent()
         before = self.heights
         self.heights = self.cradle.heights()
         falls = [now < old for now, old in zip(self.heights, before, strict=True)]

@@ -38,7 +38,7 @@ class Readout:
         pend_list = self.slow_hits.shown_pendula()
         lines = {"t": f"{self.motion.time():.2f} s\n{self.pace.remark()}"}
         if not self.motion.cradle.hidden:
-            percent = self.motion.percents(pend_list)["energy"]
+            percent = self.motion.energy_percent(pend_list)
             p = momentum_as_text(momentum(pend_list, R_PARAM))
             lines["energy"] = percent_as_text(percent).strip()
             lines["momentum"] = f"{p}\n{what_changes_momentum(self.motion)}"

@@ -34,7 +34,7 @@ def line_of(motion: Motion) -> str:
     """
     energy = ""
     if not motion.cradle.hidden:
-        energy = percent_as_text(motion.percents()["energy"]).rjust(len(ENERGY))
+        energy = percent_as_text(motion.energy_percent()).rjust(len(ENERGY))
     angles = []
     for theta in motion.cradle.values("theta"):
         angle = degrees(remainder(theta, 2 * pi))
