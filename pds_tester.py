@@ -15,16 +15,14 @@ from src.pds_helper import extract_and_convert
 from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
 from support.files.valid_cradle import file_for_pandas, read_cradle
-from support.start.commands import checks_command
-from support.start.early import stop_on_signals
+from support.start.end import ended_quietly, SignalError
 from support.start.mistake import is_pend_list, report_endless_loop, report_mistake
-from support.start.output import refuse, while_it_is_read
+from support.start.output import refuse
 
 
-@while_it_is_read()
+@ended_quietly()
 def main() -> None:
     """Print df, bad_rep and pend_list; exit with status 2 if the CSV is no cradle."""
-    stop_on_signals()
     try:
         csv = read_cradle(Snapshot(NC_FP))
     except ValueError as error:
@@ -52,9 +50,9 @@ def show_steps(relative_filepath: str) -> None:
     except NotImplementedError as error:
         print(f"\npend_list: missing, because {error}. Its place is in src/pds_helper.py.")
         return
-    except KeyboardInterrupt as stopped:
+    except SignalError as stopped:
         report_endless_loop(stopped)
-        sys.exit(*stopped.args)
+        raise
     except Exception as error:
         report_mistake(error)
         sys.exit(1)
@@ -65,9 +63,7 @@ def show_steps(relative_filepath: str) -> None:
     for pendulum in pend_list if isinstance(pend_list, list) else [pend_list]:
         print(f"  {pendulum}")
     if not is_pend_list(pend_list):
-        print(
-            f"But this is no list of dictionaries. Type {checks_command()}: it says what is wrong."
-        )
+        print("But this is no list of dictionaries. Type pytest: it says what is wrong.")
 
 
 if __name__ == "__main__":

@@ -15,10 +15,3 @@ Words
     check          one of the graded checks that pytest runs; a function that refuses bad data is
                    named require_...
 """
-
-
-def load_tests(*_: object) -> None:
-    """Say how checks are run: python -m unittest calls this, and finds none of them."""
-    from support.start.commands import checks_command
-
-    raise SystemExit(f"unittest does not find the checks. Type {checks_command()} to run them.")

@@ -32,8 +32,8 @@ from whole_cradles import do_at_once, GOOD, HEADER, make_row
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
+from support.start.end import ended_quietly
 from support.start.options import OneLineParser
-from support.start.output import while_it_is_read
 
 # VPython then believes that the page is open: no server, no browser
 vpython.baseObj._view_constructed = True
@@ -220,7 +220,7 @@ def show(title, head, rows) -> None:
         print(f"| {' | '.join(map(str, row))} |", flush=True)
 
 
-@while_it_is_read()
+@ended_quietly()
 def main() -> None:
     """Print all measurements."""
     parser = OneLineParser(

@@ -4,8 +4,6 @@ from importlib.util import find_spec
 
 import pytest
 
-from support.start.commands import python_command
-
 PACKAGES = ("hypothesis", "importlinter", "numpy", "pymunk", "scipy", "xdist")
 ARE_MISSING = not all(map(find_spec, PACKAGES))
 
@@ -25,5 +23,6 @@ def pytest_ignore_collect(collection_path, config):
 def pytest_terminal_summary(terminalreporter, config):
     """Say how the project's own tests are run, if they were not."""
     if is_graded_only(config):
-        packages = "The project's own tests: install tests/requirements.txt"
-        terminalreporter.line(f"{packages}, and type {python_command('-m', 'pytest')} -n 2 tests")
+        terminalreporter.line(
+            "The project's own tests: install tests/requirements.txt, and type pytest -n 2 tests"
+        )

@@ -17,9 +17,9 @@ if __name__ == "__main__":
 
 import grading.begin  # noqa: F401
 
-from support.start.early import on_signals
+from support.start.end import ended_quietly, on_signals, STATUSES
 from support.start.options import OneLineParser
-from support.start.output import in_one_line, progress_bar, while_it_is_read
+from support.start.output import in_one_line, progress_bar
 from teacher.containers import find_engine
 from teacher.report import own_folder, Report
 from teacher.runners import Here, READ_OR_START
@@ -28,7 +28,7 @@ from teacher.submissions import read_submission, submissions_in
 LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
 
 
-@while_it_is_read()
+@ended_quietly()
 def main() -> None:
     """Grade the class. The status is 2 if an argument is wrong or a file cannot be written.
 
@@ -40,8 +40,8 @@ def main() -> None:
     stopped = threading.Event()
     status = []
 
-    def stop(number):
-        status.append(number or 130)
+    def stop(number, _):
+        status.append(STATUSES[number] or 130)
         stopped.set()
 
     on_signals(stop)

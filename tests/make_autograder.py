@@ -18,11 +18,12 @@ from grading.begin import ROOT
 from make_starter import make_starter
 
 from support.files.data_file import whole_file
+from support.start.end import ended_quietly
 from support.start.options import OneLineParser
-from support.start.output import in_one_line, while_it_is_read
+from support.start.output import in_one_line
 
 
-@while_it_is_read()
+@ended_quietly()
 def main() -> None:
     """Make the file; the status is 2 if this fails."""
     parser = OneLineParser(description="Make an autograder for Gradescope.", allow_abbrev=False)

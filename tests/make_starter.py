@@ -18,8 +18,9 @@ if __name__ == "__main__":
 from grading.begin import ROOT
 
 from grading.handout import FUNCTIONS, SUITES
+from support.start.end import ended_quietly
 from support.start.options import OneLineParser
-from support.start.output import in_one_line, while_it_is_read
+from support.start.output import in_one_line
 
 FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"]
 FILES += [".devcontainer/devcontainer.json"]
@@ -71,7 +72,7 @@ CUT = (
 )
 
 
-@while_it_is_read()
+@ended_quietly()
 def main() -> None:
     """Make the folder; the status is 2 if this fails."""
     parser = OneLineParser(description="Make the folder that students get.", allow_abbrev=False)

@@ -10,7 +10,6 @@ from types import ModuleType
 
 from vpython import vector
 
-from support import waits
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import move, push_others
@@ -142,12 +141,7 @@ class Cradle:
         require_numbers(self.tick_function, self.pend_list, keys)
 
     def remark(self) -> str:
-        """Return a sentence that names a call that waits, or a key which the handout does not have.
-
-        Return "" if there is none.
-        """
-        if waits.remark():
-            return waits.remark()
+        """Return a sentence that names a key which the handout does not have, or ""."""
         for number, pend in enumerate(self.pend_list, start=1):
             for key in pend:
                 if key not in self.known_keys:

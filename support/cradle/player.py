@@ -21,12 +21,14 @@ from support.cradle.settings import NextCradle, Settings
 from support.files.valid_cradle import file_for_pandas
 from support.main_page import Loop, Page
 from support.start.early import import_now
+from support.start.end import SignalError
 from support.start.mistake import MistakeError
 
 # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends.
 ENDLESS_AFTER = 1.0
 # Questions after is_running was False: a loop in a loop asks again, but not so often.
 MOST_REFUSED = 1000
+PLAYER_FILE = __file__  # its frames in a traceback are not a student's
 
 
 class Player(Page):
@@ -259,7 +261,7 @@ def run(loop: Loop, player: Player) -> None:
                     "ended, but the simulation still runs. Tick while page.is_running() is True."
                 )
                 raise MistakeError(loop, message)
-    except KeyboardInterrupt as stopped:
+    except SignalError as stopped:
         seconds = perf_counter() - player.last_frame
         stopped.is_late = seconds > ENDLESS_AFTER  # type: ignore[attr-defined]
         raise

@@ -7,7 +7,8 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from support.start.mistake import is_handout_file, is_player_file
+from support.cradle.player import PLAYER_FILE
+from support.start.mistake import is_in_src
 
 LOOK = 0.5  # s from look to look
 TOO_LONG = 3.0  # s after which a function that has not returned is named
@@ -81,8 +82,8 @@ def running(thread: int) -> list[FrameType]:
     """
     frames = []
     frame = sys._current_frames().get(thread)
-    while frame and not is_player_file(frame.f_code.co_filename):
-        if is_handout_file(frame.f_code.co_filename):
+    while frame and frame.f_code.co_filename != PLAYER_FILE:
+        if is_in_src(frame.f_code.co_filename):
             frames.append(frame)
         frame = frame.f_back
     return frames if frame else []

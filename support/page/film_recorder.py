@@ -10,7 +10,7 @@ from pathlib import Path
 from urllib.parse import quote
 
 from support.cradle.cradle import Cradle
-from support.cradle.player import run
+from support.cradle.player import PLAYER_FILE, run
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
 from support.files.experiments import Experiment, EXPERIMENTS
@@ -19,9 +19,9 @@ from support.page.server.film import Film
 from support.page.server.run_file import run_as_html
 from support.page.server.tabs import Tabs
 from support.page.viewer import Start, Viewer
-from support.start.early import stop_on_signals
+from support.start.end import SignalError
 from support.start.mistake import report_endless_loop, report_mistake
-from support.start.output import complain, in_one_line, Progress, progress_bar, refuse, say
+from support.start.output import complain, in_one_line, Progress, progress_bar, refuse
 
 INDEX_STYLE = """
 :root { color-scheme: light dark; font: 1.1rem/1.5 system-ui, sans-serif }
@@ -147,7 +147,6 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
     without files, with several runs, and after a signal. Raises an OSError if a file cannot be
     written.
     """
-    stop_on_signals()
     has_failed = False
     try:
         with ExitStack() as stack:
@@ -155,8 +154,10 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
             recorder.report_progress = stack.enter_context(progress_bar())
             try:
                 run(loop, recorder)
+            except SignalError:
+                raise
             except (Exception, SystemExit) as error:
-                recorder.tabs.show({"ended": report_mistake(error)})
+                recorder.tabs.show({"ended": report_mistake(error, PLAYER_FILE)})
                 if not recorder.is_over:  # else the run is whole
                     recorder.keep_run()
                 has_failed = True
@@ -165,15 +166,15 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
                 sys.exit(1)
             for opened_file, html in zip(opened, recorder.runs, strict=True):
                 opened_file.write(html.decode())
-    except KeyboardInterrupt as stopped:
-        report_endless_loop(stopped)
+    except SignalError as stopped:
+        report_endless_loop(stopped, PLAYER_FILE)
         complain(f"The run ended too early. {place} is not written.")
         sys.exit(1)
     if recorder.given_remark:
-        say(recorder.given_remark)
+        print(recorder.given_remark)
     seconds = f"{recorder.motion.time():.15g} s"
     of_each = f" of each of {len(files)} experiments" if len(files) > 1 else ""
-    say(in_one_line(f"{seconds}{of_each} are in {place}"))
+    print(in_one_line(f"{seconds}{of_each} are in {place}"))
     if has_failed:
         sys.exit(1)
 

@@ -5,32 +5,32 @@ from argparse import Namespace
 from collections.abc import Sequence
 from ipaddress import ip_address
 from pathlib import Path
+from subprocess import list2cmdline
 from types import ModuleType
 from typing import TYPE_CHECKING
 
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.cradle.player import run
+from support.cradle.player import PLAYER_FILE, run
 from support.files.cradle_csv import LiveFile, Snapshot
 from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import read_cradle
 from support.main_page import Loop
-from support.root import ROOT
-from support.start.commands import python_command
-from support.start.early import end_on_signals
+from support.root import SRC
+from support.start.end import ended_quietly, SignalError
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.options import (
     read_double_page_options,
     read_page_options,
     require_lifted,
 )
-from support.start.output import refuse, say, while_it_is_read
+from support.start.output import refuse
 from support.start.preview import end_if_unwritten, what_there_is
 
 if TYPE_CHECKING:
     from support.page.server.server import Server
-    from support.page.viewer import Viewer
+    from support.page.viewer import Start
 
 GOODBYE = 10.0  # s that the page has to fetch the last message
 UPPER_ONLY = (
@@ -38,7 +38,7 @@ UPPER_ONLY = (
 )
 
 
-@while_it_is_read()
+@ended_quietly()
 def show_cradle(
     main: Loop, special_cradles: ModuleType, many_ticks: ModuleType | None = None
 ) -> None:
@@ -54,7 +54,7 @@ def show_cradle(
     show_page(loop, cradle, options, [options.angle], remark or cradle.slow_remark())
 
 
-@while_it_is_read()
+@ended_quietly()
 def show_double_cradle(main: Loop, special_cradles: ModuleType) -> None:
     """Show the double cradle of main in the same way.
 
@@ -95,14 +95,14 @@ def show_page(
         if options.experiment is not None:
             experiment = read_experiment(Path(options.experiment), len(angles))
         if options.html is None and options.html_all is None:
-            server = open_page(options, python_command(ROOT / cradle.page_program, *sys.argv[1:]))
+            server = open_page(options)
     except ValueError as error:
         refuse(error)
-    from support.page.viewer import Start, Viewer  # while the browser starts
+    from support.page.viewer import Start  # while the browser starts
 
     start = Start(csv, file, angles, options.lift, remark, experiment, ghosts)
     if server:
-        play(loop, Viewer(cradle, start, server.tabs), server)
+        play(loop, cradle, start, server)
         return
     from support.page.film_recorder import write_all_runs, write_run  # not for a page
 
@@ -112,18 +112,23 @@ def show_page(
         write_all_runs(loop, cradle, start, options.seconds, options.html_all)
 
 
-def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
+def play(loop: Loop, cradle: Cradle, start: "Start", server: "Server") -> None:
     """Run the loop until the last tab is closed; exit with status 1 if a function fails."""
     from support.page.endless import Watch
+    from support.page.viewer import Viewer
 
+    viewer = Viewer(cradle, start, server.tabs)
     watch = Watch(viewer.progress, lambda words: server.tabs.tell({"endless": words}))
     watch.start()
     try:
         run(loop, viewer)
-    except KeyboardInterrupt as stopped:  # in a session; else Ctrl+C has ended the process
-        report_endless_loop(stopped)
+    except SignalError as stopped:
+        report_endless_loop(stopped, PLAYER_FILE)
+        server.close()
+        raise
     except BaseException as error:
-        server.tabs.show({"remark": viewer.given_remark, "ended": report_mistake(error)})
+        ended = report_mistake(error, PLAYER_FILE)
+        server.tabs.show({"remark": viewer.given_remark, "ended": ended})
         server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
         server.close(GOODBYE)
         sys.exit(1)
@@ -132,27 +137,30 @@ def play(loop: Loop, viewer: "Viewer", server: "Server") -> None:
     server.close()
 
 
-def open_page(options: Namespace, command: str) -> "Server":
+def open_page(options: Namespace) -> "Server":
     """Return the Server of the page, and start a browser, unless --no-browser is given.
 
-    command starts this program again. Raises listen's ValueErrors.
+    Raises listen's ValueErrors.
     """
     # Not earlier: it needs packages that come with VPython.
     from support.page.names import Texts
     from support.page.server.port import listen
     from support.page.server.server import Server
 
-    terminal = python_command(ROOT / "src" / "text_cradle_run.py")
-    texts: Texts = {"command": command, "terminal": terminal}
+    again = list2cmdline([sys.executable, *sys.argv])
+    terminal = list2cmdline([sys.executable, str(SRC / "text_cradle_run.py")])
+    texts: Texts = {"command": again, "terminal": terminal}
     server = Server(listen(options.host, options.port), texts)
-    say(f"Newton's cradle is at {server.address()}")
+    print(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
-        say(
+        print(
             "Every machine that reaches this one can open it, at this one's name, "
             "with the same port and key."
         )
-    say("Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.")
-    end_on_signals(first=server.close)
+    print(
+        "Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.",
+        flush=True,
+    )
     if options.browser:
         server.browser_start.open(server.address())
     return server

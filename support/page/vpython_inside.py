@@ -28,7 +28,6 @@ from typing import NoReturn
 from vpython import baseObj, vector
 
 from support.root import ROOT
-from support.waits import heard
 
 NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls"
 # In glowcomm.html, its own websocket and its fonts are before this.
@@ -42,7 +41,7 @@ def draw_without_its_page() -> None:
 
     Its own page, and a server for it, would come with the first object. An object that needs an
     answer of VPython's page, or a place on it, raises a RuntimeError: VPython would wait for ever.
-    rate and sleep do not wait, and are noted: the program keeps the time.
+    rate and sleep do nothing: the program keeps the time, and sends what has changed.
 
     Raises a ModuleNotFoundError for another version.
     """
@@ -64,7 +63,7 @@ def draw_without_its_page() -> None:
         getattr(vpython, name).__new__ = refuse
     vpython._wait = refuse  # type: ignore[attr-defined]
     for name in ("rate", "sleep"):
-        setattr(sys.modules["vpython"], name, heard(name))
+        setattr(sys.modules["vpython"], name, lambda *_: None)
 
 
 def take_changes() -> dict[str, list]:

@@ -7,15 +7,10 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
-from support.root import ROOT
-from support.start.commands import checks_command
-from support.start.other_tools import of_other_tool
-from support.start.output import complain, say
-from support.start.packages import report_of_package
+from support.root import ROOT, SRC
 
 LARGEST_NUMBER = 1e100  # a larger number has no energy: its square is too large
-# A frame of this file below one of main: the player works, or waits for the clock.
-PLAYER_FILE = ROOT / "support" / "cradle" / "player.py"
+TYPE_PYTEST = "Type pytest in this folder: it says more about mistakes."
 
 
 class MistakeError(Exception):
@@ -29,47 +24,35 @@ class MistakeError(Exception):
         self.code = getattr(function, "__code__", None)
 
 
-def is_handout_file(filename: str) -> bool:
-    """Return whether a file is one of the handout's."""
-    path = Path(filename).resolve()
-    return path.parent == ROOT / "src" and path.name != "text_cradle_run.py"
+def is_in_src(filename: str) -> bool:
+    """Return whether a file is in src/."""
+    return Path(filename).resolve().is_relative_to(SRC)
 
 
-def is_player_file(filename: str) -> bool:
-    return Path(filename).resolve() == PLAYER_FILE
+def students_frames(error: BaseException, player: str) -> list[traceback.FrameSummary]:
+    """Return the frames of an error that are in src/, and below those of the player's file.
 
-
-def handout_frames(error: BaseException) -> list[traceback.FrameSummary]:
-    """Return the frames of an error that are in the handout's files.
-
-    Return none if the error did not arise in these, or if main called the player and the player
-    failed.
+    Return none if the player itself failed, which main has called.
     """
     if isinstance(error, MistakeError) and error.code:
         code = error.code
         return [traceback.FrameSummary(code.co_filename, code.co_firstlineno, code.co_name)]
     found: list[traceback.FrameSummary] = []
-    callee = ""  # the file of the frame below the last found one
     for frame in traceback.extract_tb(error.__traceback__):
-        if is_handout_file(frame.filename):
+        if frame.filename == player:
+            found = []
+        elif is_in_src(frame.filename):
             found.append(frame)
-            callee = ""
-        elif not callee:
-            callee = frame.filename
-    return [] if is_player_file(callee) else found
+    return found
 
 
-def report_mistake(error: BaseException) -> str:
+def report_mistake(error: BaseException, player: str = "") -> str:
     """Print the traceback of an error on stderr, and return the error in one line, with its place.
 
-    The traceback has only lines of the handout's files: what they call is right, but got a wrong
-    argument. An error of a package, or for want of input, is printed in one line.
+    player is the file that has called the student's functions. The traceback has only lines of
+    theirs: what they call is right, but got a wrong argument.
     """
-    frames = handout_frames(error)
-    line = report_of_package(error) or report_of_input(error, frames)
-    if line:
-        complain(line)
-        return line
+    frames = students_frames(error, player)
     report = traceback.TracebackException.from_exception(error)
     report.stack[:] = frames or report.stack
     if isinstance(error, MistakeError):
@@ -78,41 +61,29 @@ def report_mistake(error: BaseException) -> str:
     else:
         message = " ".join("".join(report.format_exception_only()).split())
         text = "".join(report.format())
-    if isinstance(error, SyntaxError):
-        text += f"{of_other_tool(error.text or '')}\n".lstrip()
     if frames:
-        text += f"Type {checks_command()}: it says more about mistakes.\n"
-    say(text, sys.stderr, end="")  # the page says it, too
+        text += f"{TYPE_PYTEST}\n"
+    print(text, file=sys.stderr, end="")
     last = report.stack[-1]
     path = Path(last.filename).resolve()
     place = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
     return f"{message} ({place}, line {last.lineno})"
 
 
-def report_of_input(error: BaseException, frames: list[traceback.FrameSummary]) -> str:
-    """Return in one line that a line of a student's file finds nobody who types, or ""."""
-    words = {
-        "BdbQuit": "the debugger has ended the program. Delete the line that starts it.",
-        "EOFError": "this line waits for input, but nobody can type here. Delete it.",
-    }.get(type(error).__name__)
-    if not words or not frames:
-        return ""
-    return f"{Path(frames[-1].filename).name}, line {frames[-1].lineno}: {words}"
+def report_endless_loop(error: BaseException, player: str = "") -> None:
+    """Name the loop that a signal has stopped: the functions that have not returned.
 
-
-def report_endless_loop(error: KeyboardInterrupt) -> None:
-    """Name the loop that Ctrl+C has stopped: the functions that have not returned, innermost first.
-
-    If frames were still coming (is_late is False), say nothing: nothing hung.
+    The innermost one is the first. player is as in report_mistake. If frames were still coming
+    (is_late is False), say nothing: nothing hung.
     """
-    frames = handout_frames(error)
+    frames = students_frames(error, player)
     if not frames or not getattr(error, "is_late", True):
         return
     names = [frame.name for frame in reversed(frames) if frame.name != "<module>"]
     functions = " or ".join(dict.fromkeys(names))  # each once
     last = frames[-1]
     place = f"{Path(last.filename).name}, line {last.lineno}"
-    say(f"{place}: does a loop in {functions} never end?", sys.stderr)
+    print(f"{place}: does a loop in {functions} never end?", file=sys.stderr)
 
 
 def require_pendula(make: Callable, pend_list: Any, keys: Iterable[str], parts: int) -> None:

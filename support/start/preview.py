@@ -10,7 +10,6 @@ from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.main_page import Loop, Page
 from support.pendulum import discard
 from support.root import SRC
-from support.start.commands import checks_command
 from support.start.output import refuse
 
 # The first lines of the statements that the handout provides around a raise, as ast.unparse writes
@@ -123,10 +122,11 @@ def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
         collides = not missing_in("visualize_cradle_run", names=collision)
         loop = preview(cradle.scope, swings=True, collides=collides)
         if collides:
-            sentence = "Here are the first two pendula alone: their bobs collide. If not, type"
+            sentence = (
+                "Here are the first two pendula alone: their bobs collide. If not, type pytest."
+            )
         else:
-            sentence = "Then the bobs collide. If no pendulum swings, type"
-        sentence += f" {checks_command()}."
+            sentence = "Then the bobs collide. If no pendulum swings, type pytest."
     missing = "; ".join(place for place in (others, for_swings or for_hits) if place)
     return loop, f"Write next: {missing}. {sentence}".strip() if missing else ""
 

@@ -5,7 +5,6 @@ from collections import Counter
 from grading.grader import Check, checks
 from grading.handout import FUNCTIONS, highest, SUITES
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED, WAITING
-from support.start.commands import checks_command
 
 
 def grade(outcomes: dict[str, Outcome]) -> dict:
@@ -76,7 +75,7 @@ def next_step(outcomes: dict[str, Outcome]) -> str:
     for tier in SUITES:
         if any(check.name not in outcomes for check in checks(tier=tier)):
             name = tier.split()[0]
-            return f"run the checks of tier {name}: {checks_command()} --tier {name}"
+            return f"run the checks of tier {name}: pytest --tier {name}"
     return "all functions with a check are right"
 
 

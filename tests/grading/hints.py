@@ -12,7 +12,6 @@ from types import FrameType
 from typing import Any
 
 from grading.handout import FUNCTIONS, IMPORTS, is_students
-from support.start.other_tools import of_other_tool
 
 KEYS = "mass", "e", "theta", "omega", "color", "texture", "objects"
 PARTS = "axle", "bob", "cord", "pos", "radius", "axis"
@@ -80,8 +79,6 @@ def facts_of(error: Any, text: str, frame: FrameType | None, line: int) -> Itera
     name = f"{getattr(error, 'name', None) or ''}"
     if isinstance(error, KeyError) and error.args:
         name = f"{error.args[0]}"
-    if isinstance(error, (SyntaxError, NameError)):
-        yield of_other_tool(code)
     if isinstance(error, NameError) and frame:
         yield key_or_import(name, code, frame)
     if isinstance(error, KeyError) and name in PARTS or "'tuple' object has no attribute" in text:

@@ -17,7 +17,6 @@ from grading.raised import StoppedError
 from grading.room import Part, Rank
 from grading.students_code import Code, code_of
 from line_by_line.layout import COLUMNS
-from support import waits
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
 
@@ -129,7 +128,7 @@ class Grading:
             if error.raised:
                 return self.broken_by(check, f"{error}", error.raised)
             return waiting(str(error), error.place)
-        return Outcome(PASSED, advice=" ".join([*present.advice, waits.remark()]).strip())
+        return Outcome(PASSED, advice=" ".join(present.advice))
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.

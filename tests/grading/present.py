@@ -2,8 +2,6 @@
 
 from typing import TYPE_CHECKING
 
-from support import waits
-
 if TYPE_CHECKING:
     from line_by_line.watch import Watch
 
@@ -29,7 +27,6 @@ class PresentCheck:
         If a check goes on after a wrong result, seen gets its calls with numbers alone, in words,
         and whether their results are right.
         """
-        waits.calls.clear()
         self.watched_function = function
         self.watch = watch
         self.lasting: dict[str, str] = {}  # how the watched call has changed values that live on

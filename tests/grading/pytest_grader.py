@@ -19,14 +19,6 @@ import grading.begin  # noqa: F401
 
 import pytest
 
-try:
-    import pandas  # noqa: F401  pytest would print all of its files
-except Exception as error:
-    from support.start.program import end_uncaught
-
-    end_uncaught(None, error, None)
-
-
 from grading.grade import checks_with_outcome, grade
 from grading.grader import Check, CHECKS
 from grading.handout import SUITES
@@ -37,7 +29,6 @@ from support.constants import NC_FP
 from support.files.cradle_csv import Snapshot
 from support.files.data_file import whole_file
 from support.files.valid_cradle import read_cradle
-from support.start.commands import checks_command
 
 GRADING = pytest.StashKey[Grading]()
 OUTCOME = "outcome of a check"  # the name under which a report of pytest has it
@@ -209,7 +200,8 @@ def pytest_terminal_summary(terminalreporter: Any, config: Any) -> Iterator[None
         markup = {line.color: True} if line.color else {}
         terminalreporter.line(line.text, **markup)
     if not RAN and config.session.exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
-        terminalreporter.write_line(f"The checks are not here. Type: {checks_command()}", red=True)
+        text = "The checks are not here. Type pytest in the folder that has tests and src."
+        terminalreporter.write_line(text, red=True)
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)
 

@@ -24,7 +24,7 @@ from support.start.options import PORT_VARIABLE
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
 
 # A program inherits the signals that are ignored, as with nohup, but none that has a handler.
-for name in ("SIGHUP", "SIGINT", "SIGQUIT"):
+for name in ("SIGHUP", "SIGINT"):
     number = getattr(signal, name, None)
     if number and signal.getsignal(number) == signal.SIG_IGN:
         signal.signal(number, lambda *_: None)

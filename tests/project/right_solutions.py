@@ -116,7 +116,6 @@ RIGHT = {
     "full_swing_update": {
         "by names": "for pend in pend_list: swing_update(pend_dict=pend, r_param=r_param, dt=dt, g=g)",
         "from the right": ("in pend_list", "in reversed(pend_list)"),
-        "waits": ("in pend_list:", "in pend_list:\n            __import__('time').sleep(1e-6)"),
         "returns the list, too": ("dt, g)", "dt, g)\n        return pend_list"),
         "the shapes turned": """\
             for pend in pend_list:

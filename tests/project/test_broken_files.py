@@ -6,7 +6,6 @@ from students import change, pytest_in, write
 
 from grading.handout import FUNCTIONS
 from grading.hints import of_error
-from support.start.other_tools import of_other_tool
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
 MAIN = 'if __name__ == "__main__":\n    from'
@@ -69,32 +68,3 @@ def test_a_file_that_is_no_python_is_named_as_what_it_is(tmp_path, content):
     with pytest.raises(SyntaxError) as raised:
         compile(content, file, "exec")
     assert of_error(raised.value, [], "").startswith(NO_PYTHON[content])
-
-
-WEB = "This line is for Web VPython (GlowScript). Delete it."
-NOTEBOOK = "This line is for a notebook (Jupyter, Colab). Delete it."
-TERMINAL = "This line is a command for a terminal. Delete it."
-PROMPT = "{} is a prompt, and no part of a program. Delete it in front of each line."
-OTHER_TOOLS = {
-    "Web VPython 3.2": WEB,
-    "GlowScript 3.0 RapydScript": WEB,
-    "!pip install vpython": NOTEBOOK,
-    "    %matplotlib inline": NOTEBOOK,
-    "%%writefile swinging.py": NOTEBOOK,
-    "get_ipython().system('ls')": NOTEBOOK,
-    "pip install vpython": TERMINAL,
-    "(base) ann@laptop:~$ python src/swinging.py": TERMINAL,
-    ">>> x = 1": PROMPT.format(">>>"),
-    "...     return x": PROMPT.format("..."),
-    "   ...:     return x": PROMPT.format("...:"),
-    "In [1]: x = 1": PROMPT.format("In [1]:"),
-    "```python": "``` marks code in a chat or a web page. Delete this line.",
-    "x = !found": "",
-    "pip = omega dt": "",
-    "Python stands here": "",
-}
-
-
-@pytest.mark.parametrize("line", OTHER_TOOLS)
-def test_a_line_of_another_tool_is_named(line):
-    assert of_other_tool(line) == OTHER_TOOLS[line]

@@ -4,13 +4,10 @@ import re
 from types import SimpleNamespace
 
 import pytest
-from programs import ROOT
 
 from src import visualize_cradle_run
-from support.cradle import player
 from support.cradle.player import run
 from support.page import endless
-from support.start.mistake import is_player_file
 
 LOOKS = round(endless.TOO_LONG / endless.LOOK)
 
@@ -78,8 +75,3 @@ def test_the_page_names_the_function_that_does_not_return_until_it_does(rig, mon
         r" Ctrl\+C in the terminal, and mend it\.",
         message,
     )
-
-
-def test_a_file_of_yours_may_have_the_name_of_the_players():
-    assert is_player_file(player.__file__)
-    assert not is_player_file(str(ROOT / "src" / "player.py"))

@@ -83,7 +83,6 @@ def advice_of(function):
             "Your extract_and_convert does not convert a CSV with other columns.",
         ),
         ("main", "NC_FP", "main always reads NC_FP."),
-        ("full_swing_update", "waits", "src/my_full_swing_update.py, line 3 calls sleep."),
     ],
 )
 def test_a_right_solution_with_a_trap_has_a_note(solve, function, way, words):

@@ -95,7 +95,7 @@ def test_the_film_of_a_file_keeps_the_start_of_the_present_run(tabs):
 def write_run(program):
     """Write a run of a program to a file next to its CSV; return the process, and the file."""
     file = program.parents[1] / "run.html"
-    return python(program, "--html", file, *OPTIONS, PYTHONWARNINGS="error"), file
+    return python(program, "--html", file, *OPTIONS), file
 
 
 @pytest.fixture(scope="module")

@@ -1,23 +1,19 @@
-"""Before and after main: slow modules, commands to type, the output, signals."""
+"""Before and after main: slow modules, signals, and how a program ends."""
 
+import ast
 import errno
-import io
 import os
-import shlex
+import signal
 import subprocess
 import sys
 from importlib import import_module
 from importlib.util import find_spec
-from pathlib import Path
-from types import SimpleNamespace
-from unittest.mock import Mock
 
 import pytest
 from programs import call, on_posix, ROOT
 
-from support.start import commands
-from support.start.early import end_on_signals, import_later, import_now, stop_on_signals
-from support.start.output import complain, say, while_it_is_read
+from support.start import end
+from support.start.early import import_later, import_now
 
 
 def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
@@ -39,117 +35,69 @@ def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
     assert "no_such_module" not in sys.modules
 
 
-def test_a_command_to_type_starts_this_python_from_the_folder_of_the_start(monkeypatch):
-    monkeypatch.setattr(sys, "platform", "linux")
-    monkeypatch.setattr(sys, "executable", str(ROOT / ".venv" / "python"))
-    monkeypatch.setattr(commands, "FOLDER", ROOT)
-    assert commands.checks_command() == ".venv/python -m pytest"
-    program = commands.python_command(ROOT / "src" / "x.py", "--e", "0.9", "my cradle.csv")
-    assert program == ".venv/python src/x.py --e 0.9 'my cradle.csv'"
-    monkeypatch.setattr(commands, "FOLDER", ROOT / "src")
-    assert commands.checks_command() == f"{ROOT}/.venv/python -m pytest {ROOT}/tests"
-    monkeypatch.setattr(sys, "platform", "win32")
-    assert commands.python_command("a b.csv").endswith(' "a b.csv"')
+@pytest.mark.parametrize("file", ["src/begin.py", "support/start/program.py"])
+def test_an_older_python_compiles_the_files_that_refuse_it(file):
+    ast.parse((ROOT / file).read_text(), feature_version=(3, 6))
 
 
 @pytest.mark.parametrize(
-    ("system", "number", "file", "printed"),
+    ("error", "printed"),
     [
-        ("win32", errno.EINVAL, [], ""),  # nobody reads it on
-        ("win32", errno.EINVAL, ["data.csv"], "data.csv: it failed\n"),
-        ("win32", errno.ENOSPC, [], "The output: it failed\n"),
-        ("linux", errno.EINVAL, [], "The output: it failed\n"),
+        (BrokenPipeError(), ""),
+        (OSError(errno.EACCES, "Permission denied", "a.csv"), "a.csv: Permission denied\n"),
+        (OSError(errno.ENOSPC, "No space left"), "The output: No space left\n"),
     ],
 )
-def test_an_unread_output_on_windows_ends_a_program_quietly(
-    monkeypatch, capsys, system, number, file, printed
+def test_an_error_of_a_file_is_one_line_and_an_output_that_nobody_reads_none(
+    capsys, error, printed
 ):
-    @while_it_is_read()
+    @end.ended_quietly()
     def main():
-        raise OSError(number, "it failed", *file)
+        raise error
 
-    monkeypatch.setattr(sys, "platform", system)
     assert call(main, capsys) == (2 if printed else 0, "", printed)
 
 
 @on_posix
-@pytest.mark.parametrize(
-    ("does", "redirection", "status", "line"),
-    [
-        ("print(1)", "", 0, ""),
-        ("print(1)", ">&-", 0, ""),
-        ("sys.stdin.read()", "<&-", 0, ""),
-        ("print(1)", ">/dev/full", 2, "The output: No space left on device\n"),
-        ("refuse('no')", "2>/dev/full", 2, ""),
-    ],
-)
-def test_an_output_that_is_closed_or_full_or_unread_gives_one_line_at_most(
-    does, redirection, status, line
-):
-    if "/dev/full" in redirection and not Path("/dev/full").exists():
-        pytest.skip("macOS has no /dev/full")
-    does = f"from support.start.output import *\nwith while_it_is_read(): {does}"
-    command = f"unset PYTHONUNBUFFERED; {shlex.join([sys.executable, '-c', does])} {redirection}"
+def test_a_closed_pipe_ends_a_program_quietly():
+    program = "from support.start.end import *\nwith ended_quietly(): print(1)"
     reader, writer = os.pipe()
     os.close(reader)
     with open(writer) as unread:
-        done = subprocess.run(
-            ["sh", "-c", command], cwd=ROOT, stdout=unread, stderr=subprocess.PIPE, text=True
-        )
-    assert (done.returncode, done.stderr) == (status, line)
+        done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, stdout=unread, stderr=-1)
+    assert (done.returncode, done.stderr) == (0, b"")
 
 
-def test_letters_that_the_output_lacks_are_written_out_and_without_an_output_the_program_goes_on(
-    monkeypatch,
-):
-    """A pipe on Windows has the letters of one language.
-
-    IDLE's shell has all, and no way to say so.
-    """
-    monkeypatch.setattr(sys, "stdout", io.TextIOWrapper(io.BytesIO(), encoding="cp1252"))
-    with while_it_is_read():
-        say("\u03c9")
-    assert sys.stdout.buffer.getvalue().split() == [b"\\u03c9"]
-    closed = Mock(spec=["write", "flush"], **{"write.side_effect": BrokenPipeError})
-    monkeypatch.setattr(sys, "stdout", closed)
-    monkeypatch.setattr(sys, "stderr", closed)
-    with while_it_is_read():
-        say("the address")
-        complain("a mistake")
+@pytest.mark.parametrize("number", end.STATUSES)
+def test_a_signal_ends_a_program_with_its_status_and_the_handlers_are_put_back(number):
+    """128 + the number, as in a shell; Ctrl+C is the usual end, with 0."""
+    before = [signal.getsignal(number) for number in end.STATUSES]
+    with pytest.raises(SystemExit) as ended, end.ended_quietly():
+        signal.raise_signal(number)
+    assert ended.value.code == (0 if number == signal.SIGINT else 128 + number)
+    assert [signal.getsignal(number) for number in end.STATUSES] == before
 
 
-@pytest.fixture
-def handlers(monkeypatch):
-    """The handlers of signals, by their numbers; nohup lets a program ignore SIGHUP."""
-    handlers = {1: "ignored"}
-    signals = {"SIGHUP": 1, "SIGINT": 2, "SIGQUIT": 3, "SIGTERM": 15, "SIG_IGN": "ignored"}
-    module = SimpleNamespace(**signals, getsignal=handlers.get, signal=handlers.__setitem__)
-    monkeypatch.setattr("support.start.early.signal", module)
-    return handlers
+CATCHES = """
+from support.start.end import *
+with ended_quietly():
+    while True:
+        try:
+            signal.raise_signal(signal.SIGTERM)
+        except BaseException as error:
+            print(error, flush=True)
+"""
 
 
-@pytest.mark.parametrize(("number", "status"), [(2, 0), (3, 131), (15, 143)])
-def test_each_signal_ends_a_program_once_with_its_status(handlers, number, status):
-    """128 + its number, as in a shell; Ctrl+C is the usual end, with 0."""
-    stop_on_signals()
-    assert handlers[1] == "ignored"
-    handle = handlers[number]
-    with pytest.raises(KeyboardInterrupt, match=f"^{status}$"):
-        handle(number, None)
-    handle(number, None)  # a second signal has come before the first one was handled
-    assert {*handlers.values()} == {"ignored"}  # nothing interrupts the clean-up
+@on_posix
+def test_the_second_signal_ends_also_code_that_catches_the_first_one():
+    done = subprocess.run([sys.executable, "-c", CATCHES], cwd=ROOT, capture_output=True, text=True)
+    assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGTERM, "143\n", "")
 
 
-def test_a_signal_while_a_program_starts_ends_it_at_once(handlers, monkeypatch):
-    events = []
-    monkeypatch.setattr("os._exit", events.append)
-    end_on_signals(first=lambda: events.append("first"))
-    handlers[15](15, None)
-    assert events == ["first", 143]
-
-
-def test_in_a_session_signals_stay_as_they_are(handlers, monkeypatch):
-    """As in IPython and python -i."""
-    monkeypatch.setattr(sys, "ps1", ">>> ", raising=False)
-    stop_on_signals()
-    assert handlers == {1: "ignored"}
+def test_a_signal_that_is_ignored_stays_ignored(monkeypatch):
+    """As with nohup."""
+    before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    with end.ended_quietly():
+        signal.raise_signal(signal.SIGTERM)
+    assert signal.signal(signal.SIGTERM, before) == signal.SIG_IGN

@@ -5,6 +5,7 @@ import sys
 from contextlib import nullcontext
 from io import StringIO
 from pathlib import Path
+from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pandas as pd
@@ -19,6 +20,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.real_time import RealTime
 from support.pendulum import outwards_to_angle
 from support.start import output
+from support.start.end import SignalError
 from support.terminal import players
 
 REMARK = "Write next: main."
@@ -27,8 +29,6 @@ REMARK = "Write next: main."
 @pytest.fixture
 def main(monkeypatch, capsys):
     """A function that runs the program with these arguments; it returns its status and output."""
-    # The tests keep their own signals
-    monkeypatch.setattr(text_cradle_run, "stop_on_signals", lambda: None)
 
     def main(*arguments):
         monkeypatch.setattr(sys, "argv", ["text_cradle_run.py", *map(str, arguments)])
@@ -74,9 +74,7 @@ def test_a_remark_about_the_run_is_printed_once(csv, capsys):
     assert [float(line.split()[0]) for line in lines] == [0, 0.5, 1]
 
 
-@pytest.mark.parametrize(
-    ("error", "status"), [(BrokenPipeError(), 0), (KeyboardInterrupt(131), 131)]
-)
+@pytest.mark.parametrize(("error", "status"), [(BrokenPipeError(), 0), (SignalError(131), 131)])
 def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
     main, csv, monkeypatch, error, status
 ):
@@ -88,7 +86,7 @@ def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
 def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
     """A loop that takes longer than ENDLESS_AFTER has no end."""
     monkeypatch.setattr("support.cradle.player.ENDLESS_AFTER", -1)
-    monkeypatch.setattr("src.swinging.sin", Mock(side_effect=KeyboardInterrupt(0)))
+    monkeypatch.setattr("src.swinging.sin", Mock(side_effect=SignalError(0)))
     monkeypatch.setattr(text_cradle_run, "many_ticks", None)
     status, _, err = main(csv)
     assert status == 0
@@ -131,57 +129,36 @@ def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, cs
     arguments = csv, "--seconds", "0.02", "--record"
     main(*arguments, "./-")
     assert main(*arguments, "-") == (0, Path("-").read_text(), f"{REMARK}\n")
-    monkeypatch.setattr(players.DataRecorder, "take_sample", Mock(side_effect=KeyboardInterrupt(1)))
+    monkeypatch.setattr(players.DataRecorder, "take_sample", Mock(side_effect=SignalError(1)))
     assert main(*arguments, "-")[2] == f"{REMARK}\nThe recording ended too early.\n"
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):
     data = csv.with_name("data.csv")
     data.write_text("t,theta_1,momentum\n")
-    monkeypatch.setattr(
-        players.DataRecorder, "take_sample", Mock(side_effect=KeyboardInterrupt(143))
-    )
+    monkeypatch.setattr(players.DataRecorder, "take_sample", Mock(side_effect=SignalError(143)))
     line = f"The recording ended too early. {data} is not written.\n"
     assert main(csv, "--record", data, "--seconds", "1") == (1, "", line)
     assert sorted(path.name for path in csv.parent.iterdir()) == ["cradle.csv", "data.csv"]
     assert data.read_text() == "t,theta_1,momentum\n"
 
 
-@pytest.fixture
-def bar(monkeypatch):
-    """A function that returns what stderr gets while something takes these seconds."""
-
-    def bar(seconds, columns=80, is_terminal=True):
-        stderr = StringIO()
-        stderr.isatty = lambda: is_terminal
-        monkeypatch.setattr(sys, "stderr", stderr)
-        monkeypatch.setenv("COLUMNS", str(columns))
-        now = 0.0
-        with output.progress_bar(lambda: now) as progress:
-            for number in range(1, 10_001):
-                now += seconds / 10_000
-                progress(number / 10_000)
-        return stderr.getvalue()
-
-    return bar
-
-
-def test_only_a_terminal_shows_the_progress_and_only_after_two_seconds(bar):
-    assert bar(40, is_terminal=False) == ""
-    assert bar(1.9) == ""
-
-
-@pytest.mark.parametrize(("columns", "width"), [(80, 40), (26, 1)])
-def test_a_bar_shows_the_progress_and_the_seconds_that_are_left(bar, columns, width):
-    printed = bar(40, columns)
-    bars = re.findall(r"\r\[(#* *)\] +(\d+)%, (\d+) s left", printed)
-    assert len(bars) == pytest.approx(20 * (40 - 2), rel=0.05)  # 20 a second
-    for text, percent, left in bars:
-        assert len(text) == width
-        assert text.count("#") == pytest.approx(width * int(percent) / 100, abs=1)
-        assert int(left) == pytest.approx(0.4 * (100 - int(percent)), abs=1)
-    assert max(map(len, printed.split("\r"))) < columns
-    assert printed.endswith("\r\x1b[K")
+@pytest.mark.parametrize(("is_terminal", "seconds"), [(True, 40), (True, 1.9), (False, 40)])
+def test_a_terminal_shows_the_progress_of_what_takes_longer_than_two_seconds(
+    monkeypatch, is_terminal, seconds
+):
+    stderr = StringIO()
+    stderr.isatty = lambda: is_terminal
+    monkeypatch.setattr(sys, "stderr", stderr)
+    now = 0.0
+    monkeypatch.setattr(output, "time", SimpleNamespace(monotonic=lambda: now))
+    with output.progress_bar() as progress:
+        for done in (0.01, 0.25, 0.251, 1):
+            now = done * seconds
+            progress(done)
+    shown = is_terminal and seconds > output.BAR_AFTER
+    quarter = f"\r[{'#' * 10}{' ' * 30}] 25 % "
+    assert stderr.getvalue() == (f"{quarter}\r[{'#' * 40}] 100 % \n" if shown else "")
 
 
 def test_the_program_refuses_in_one_line(main, csv):

@@ -127,7 +127,6 @@ def test_lines_and_recorded_data_do_not_show_it(tmp_path, monkeypatch, capsys):
     """Data can replace such data."""
     experiment = put_files(tmp_path, {"one.txt": MASS}) / "one.txt"
     data = tmp_path / "data.csv"
-    monkeypatch.setattr(text_cradle_run, "stop_on_signals", lambda: None)
     options = ["--experiment", str(experiment), "--seconds", "0.1"]
     for more in ([], ["--record", str(data)], ["--record", str(data)]):
         monkeypatch.setattr(sys, "argv", ["text_cradle_run.py", *options, *more])

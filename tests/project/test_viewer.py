@@ -139,12 +139,6 @@ def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
 # --- the texts -------------------------------------------------------------------------------
 
 
-def test_a_call_that_waits_is_named(rig, monkeypatch):
-    monkeypatch.setattr("support.waits.remark", lambda: "It waits.")
-    rig.wait()
-    assert rig.state["remark"] == "It waits."
-
-
 def test_a_key_that_the_handout_does_not_have_is_named(csv):
     """Columns of the CSV are no such keys."""
     csv.write_text("name," + HEADER + f"a,{GOOD}b,{GOOD}")

@@ -12,7 +12,6 @@ import shutil
 import subprocess
 import sys
 
-from support.start.output import say
 from teacher import one_run
 from teacher.runners import APART, READ_OR_START, Runner, SPARE
 
@@ -102,7 +101,7 @@ class Engine(Runner):
         """Build the image, if it is not there; raise an OSError if this fails."""
         if call(self.program, "image", "inspect", self.image).returncode == 0:
             return
-        say("The image for the containers is built once. It takes a minute.")
+        print("The image for the containers is built once. It takes a minute.", flush=True)
         command = [self.program, "build", "--quiet", f"--tag={self.image}"]
         if BASE:
             command.append(f"--build-arg=BASE={BASE}")

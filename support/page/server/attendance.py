@@ -8,8 +8,6 @@ in looks, one each LOOK_AT_TABS seconds: while a laptop sleeps, nobody loses tim
 from collections.abc import Callable, Collection
 from math import inf
 
-from support.start.output import say
-
 LOOK_AT_TABS = 0.5  # s from one look of the server at the tabs to the next
 LOADS = ""  # stands for the name of a page that loads
 LOADING = 30.0  # s that a page has from its request to its websocket
@@ -46,7 +44,7 @@ class Attendance:
             self.rests.pop(name, None)
         self.goodbyes.pop(page_name, None)
         if self.is_missed:
-            say("The page is back.")
+            print("The page is back.", flush=True)
         self.is_missed = False
         self.absence = 0.0
         self.arrived()
@@ -74,8 +72,9 @@ class Attendance:
         rest = max(self.rests.values(), default=0.0)
         if rest > CLOSED and self.absence >= FLICKER and not self.is_missed:
             self.is_missed = True
-            say(
+            print(
                 "The page has gone: you have left or closed it, its line is cut, or its machine "
-                f"sleeps. The program waits {int(rest)} s for it. Ctrl+C ends it at once."
+                f"sleeps. The program waits {int(rest)} s for it. Ctrl+C ends it at once.",
+                flush=True,
             )
         return bool(self.rests)
