@@ -6,7 +6,6 @@ names, except one: start,0.533,-41.5 says that the bobs were let go at t = 0.533
 theta = -41.5 degrees. An empty cell, or NaN, stands for a moment at which the bob was not found.
 """
 
-import io
 import re
 from collections.abc import Sequence
 from itertools import accumulate, pairwise, takewhile
@@ -18,7 +17,7 @@ import numpy as np
 
 from support.columns import to_number
 from support.files.cradle_csv import plain_cell, separator_in, Snapshot
-from support.found import found, in_short
+from support.found import found
 from support.pendulum import cord_angles, Pendulum
 
 # The units of a time (s) and of an angle (rad), by their names in a file
@@ -95,20 +94,23 @@ def read_ghosts(file: Snapshot, keys: Sequence[str]) -> Ghosts:
     Raises a ValueError with a one-line message that names the first mistake in it.
     """
     ghosts = Ghosts(Path(file.filepath).name, keys)
-    text = file.text().replace("\t", ";")  # Tracker puts tabs between cells
-    lines = [*io.StringIO(text, newline=None)]
-    above = count_above_names(file, lines, keys)
     release = 0.0  # s: the time in the file
-    for number, line in enumerate(lines[:above], start=1):
+    text = file.text().replace("\t", ";")  # Tracker puts tabs between cells
+    lines = text.splitlines(keepends=True)
+    for above, line in enumerate(lines):
         name, *cells = cells_in(line)
+        columns = columns_in([name, *cells], keys)
+        if "t" in columns and len(columns) > 1:
+            table = "\n" * above + "".join(lines[above:])
+            ghosts.tracks = tracks_in(Snapshot(file.filepath, table.encode()), keys, release)
+            return ghosts
         if name == "start":
-            release, angle = release_in(f"{file}, line {number}", cells)
+            release, angle = release_in(f"{file}, line {above + 1}", cells)
             ghosts.angle = radians(angle)
-    table = "\n" * above + "".join(lines[above:])
-    ghosts.tracks = tracks_in(Snapshot(file.filepath, table.encode()), keys, release)
-    if not ghosts.tracks:
-        raise ValueError(f"{file}: found no angle, allowed is at least one")
-    return ghosts
+    raise ValueError(
+        f"{file}: names no columns, allowed is a line with t, and {keys[0]}_1 (rad), or "
+        f"{keys[0]}_1 (degrees), ..., with a comma, a semicolon or a tab between them"
+    )
 
 
 def cells_in(line: str) -> list[str]:
@@ -143,29 +145,11 @@ def columns_in(names: Sequence[str], keys: Sequence[str]) -> dict[str, Column]:
     return columns
 
 
-def count_above_names(file: Snapshot, lines: Sequence[str], keys: Sequence[str]) -> int:
-    """Return how many lines are above the one with the names of columns.
-
-    Raises a ValueError if there is none.
-    """
-    nearly = ": found no line with the column t"
-    for number, line in enumerate(lines):
-        names = cells_in(line)
-        columns = columns_in(names, keys)
-        if "t" in columns and len(columns) > 1:
-            return number
-        if columns:
-            nearly = f", line {number + 1}: found {in_short(repr(', '.join(names)))}"
-    raise ValueError(
-        f"{file}{nearly}, allowed is a line with t, and {keys[0]}_1 (rad), or {keys[0]}_1 "
-        "(degrees), ..., with a comma, a semicolon or a tab between them"
-    )
-
-
 def tracks_in(file: Snapshot, keys: Sequence[str], release: float) -> dict[str, tuple]:
     """Return the times (s) and the angles (rad) of each column of angles, by its name.
 
-    The times are those after the release, whose time (s) in the file is given.
+    The times are those after the release, whose time (s) in the file is given. Raises a ValueError
+    for the first mistake, or if there is no angle.
     """
     header, *rows = file.rows()
     columns = columns_in(header.cells, keys)
@@ -193,4 +177,6 @@ def tracks_in(file: Snapshot, keys: Sequence[str], release: float) -> dict[str, 
         known = np.isfinite(angles)
         if any(known):
             tracks[name] = (np.array(times)[known] - release, np.unwrap(np.array(angles)[known]))
+    if not tracks:
+        raise ValueError(f"{file}: found no angle, allowed is at least one")
     return tracks
