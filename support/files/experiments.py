@@ -44,7 +44,6 @@ class Hidden(NamedTuple):
 
 class Experiment(NamedTuple):
     key: str  # the name of its file
-    file: Path
     csv: CradleCsv
     name: str
     question: str  # without it, there are no answers, and no why
@@ -96,7 +95,7 @@ def read_experiment(file: Path, cords: int) -> Experiment:
         raise ValueError(f"{file}, mass: found {lines.text('mass')!r}, allowed is {IN_RANGE}")
     name = lines.text("name", lambda text: text != YOUR_CSV, f"a text, but not {YOUR_CSV!r}")
     csv = csv_of(file.with_suffix(".csv"), columns)  # there is no such file
-    experiment = Experiment(file.stem, file, csv, name, "", [], 0, "", poses)
+    experiment = Experiment(file.stem, csv, name, "", [], 0, "", poses)
     if lines.texts.keys() <= {*CRADLE}:
         return experiment
     if "hidden" in lines.texts:
@@ -200,8 +199,6 @@ class ExperimentText:
         answers = {}
         for name in self.answers_in():
             answers[name] = Answer(name[1:].strip(), self.degrees_of(name))
-        if len({answer.text for answer in answers.values()}) < len(answers):
-            raise ValueError(f"{self.file}, answers: found an answer twice")
         marks = [name[0] for name in answers]
         if not 2 <= len(marks) <= 5 or marks.count("*") != 1:
             raise ValueError(

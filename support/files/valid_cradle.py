@@ -81,17 +81,11 @@ def require_allowed_cells(place: str, names: list[str], cells: list[str]) -> Non
 def require_masses_in_range(snapshot: Snapshot, header: CsvRow, pendula: list[CsvRow]) -> None:
     """Raise a ValueError if these pendula of a double cradle have masses that are too far apart."""
     column = header.cells.index("mass")
-
-    def mass(row: CsvRow) -> float:
-        return to_number(row.cells[column])
-
-    lightest = min(pendula, key=mass)
-    heaviest = max(pendula, key=mass)
-    if not are_in_range([mass(lightest), mass(heaviest)]):
-        raise ValueError(
-            f"{snapshot}, line {heaviest.line}, column mass: found {heaviest.cells[column]!r}, "
-            f"and {lightest.cells[column]!r} in line {lightest.line}, allowed is {IN_RANGE}"
-        )
+    masses = [to_number(row.cells[column]) for row in pendula]
+    if not are_in_range(masses):
+        heaviest = pendula[masses.index(max(masses))]
+        message = found(heaviest.cells[column], IN_RANGE)
+        raise ValueError(f"{snapshot}, line {heaviest.line}, column mass: {message}")
 
 
 def are_in_range(masses: Iterable[float]) -> bool:

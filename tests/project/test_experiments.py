@@ -73,7 +73,6 @@ BAD = [  # an old and a new text; the beginning of the message after the name of
     ("- One=1 = 0 0 0 0 100\n", "", ", answers: found 1 answers, 1 of", "2 to 5, one"),
     ("- One", "* One", ", answers: found 2 answers, 2 of them with an asterisk", "one of them"),
     ("- One", f"{FOUR}- One", ", answers: found 6 answers, 1 of them", "2 to 5"),
-    ("* Two", "* One=1", ", answers: found an answer twice", "answer"),
     ("0 0 0 45 45", "45 45", ", * Two: found '45 45', ", ANGLE),
     ("{speed_5}", "{speed_6}", ", why: found {speed_6}, ", "the number of a bob, 1 to 5"),
     ("{speed_5}", "{speed_0}", ", why: found {speed_0}, ", "{energy}"),
