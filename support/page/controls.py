@@ -15,7 +15,7 @@ def is_switch(value: Any) -> bool:
 
 
 def is_text(value: Any) -> bool:
-    return type(value) is str and len(value) < 1000
+    return type(value) is str
 
 
 def is_count(value: Any) -> bool:

@@ -259,17 +259,13 @@ def commands(
         "grab": Command(grab, (is_point, is_direction)),
         "drag": Command(drag, (is_point, is_direction)),
         "let_go": Command(let_go),
-        "load_ghosts": Command(ghost_file.load, (is_text, is_file)),
+        "load_ghosts": Command(ghost_file.load, (is_text, is_text)),
         "remove_ghosts": Command(ghost_file.remove),
     }
 
 
 def is_json(value: object) -> bool:
     return True  # the control looks at it
-
-
-def is_file(value: object) -> bool:
-    return type(value) is str
 
 
 def is_in_table(value: object) -> bool:

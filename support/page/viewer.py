@@ -16,7 +16,7 @@ from support.files.valid_cradle import CradleCsv
 from support.page import declarations
 from support.page.bars import Bars
 from support.page.chooser import Chooser
-from support.page.controls import Control, is_text
+from support.page.controls import Control
 from support.page.cradle_settings import CradleSettings
 from support.page.ghost_file import GhostFile
 from support.page.graph import Graph, MOST_DRAWN
@@ -151,7 +151,7 @@ class Viewer(Player):
 
     def carry_out(self, name: Any, *values: Any) -> None:
         """Do what a command says; do nothing if there is none, or if it takes no such values."""
-        command: Any = self.commands.get(name) if is_text(name) else None
+        command: Any = self.commands.get(str(name))
         if command and command.takes(values):
             command.do(*values)
             self.next_refresh = 0.0

@@ -35,146 +35,107 @@ def silent(monkeypatch):
     return silent
 
 
-GONE = (
-    "The page has gone: you have left or closed it, its line is cut, or its machine sleeps. "
-    "The program waits {:g} s for it. Ctrl+C ends it at once.\n"
-)
-
-
 class Connection(connections.Connection):
     """A connection of a page, without a network."""
 
-    def __init__(self, silent, **parameters):
-        super().__init__(silent.site, silent.attendance, silent.tabs, silent.waiting)
-        self.http_request_params = {name: [text] for name, text in parameters.items()}
+    def __init__(self, silent, page, was=""):
+        super().__init__(silent.site, silent.attendance, silent.tabs)
+        self.http_request_params = {"page": [page], "was": [was], "has": ["7"]}
         self.state = self.STATE_CLOSED  # so nothing is sent
 
     def dropConnection(self, abort):  # noqa: N802
-        self.cut()
+        self.is_cut()
 
-    def cut(self):
+    def opens(self):
+        self.onOpen()
+
+    def is_cut(self):
         self.onClose(False, 1006, "")
 
-    def say(self, word):
-        self.ask_for(word, {"key": [self.site.key], "page": [self.page_name]})
-
-    def ask_for(self, name, parameters):
-        asyncio.run(self.site.response_to(name, parameters))
-
-    def close(self):
+    def closes(self):
         self.onClose(True, 4001, "")
 
+    def loads(self):
+        self.asks_for("")
 
-def test_the_program_ends_when_the_time_to_come_back_is_over(silent, monkeypatch, capsys):
-    """A tab that loads has longer: a slow machine loads the page for seconds.
+    def says_left(self):
+        self.asks_for("left")
 
-    Before the first tab, the program waits for ever. A request without the key wins no time.
-    """
+    def says_closed(self):
+        self.asks_for("closed")
+
+    def asks_for(self, name):
+        parameters = {"key": [self.site.key], **self.http_request_params}
+        asyncio.run(self.site.response_to(name, parameters))
+
+
+@pytest.mark.parametrize(
+    ("events", "rest"),
+    [
+        ("first opens, first closes", CLOSED),
+        ("first opens, first is_cut", LOST),
+        ("first opens, first says_left, first is_cut", LEFT),
+        ("first opens, first is_cut, first says_left", LEFT),
+        ("first opens, first says_left, first is_cut, first says_closed", CLOSED),
+        ("first opens, first is_cut, first opens, first closes", CLOSED),
+        ("first opens, first closes, first loads", LOADING),  # a slow machine loads for seconds
+        ("first opens, first is_cut, other opens, other closes", LOST),
+        # A reload, which names the page before it
+        ("first opens, first says_left, first is_cut, again loads, again opens, again closes", 3),
+    ],
+)
+def test_the_program_ends_when_the_time_to_come_back_is_over(silent, events, rest):
+    """Before the first tab, it waits for ever."""
+    silent.wait(99)
+    pages = {name: Connection(silent, name) for name in ("first", "other")}
+    pages["again"] = Connection(silent, "again", was="first")
+    for event in events.split(", "):
+        name, does = event.split()
+        getattr(pages[name], does)()
+    silent.wait(rest)
+    assert not silent.tabs.are_gone
+    silent.wait(LOOK_AT_TABS)
+    assert silent.tabs.are_gone
+
+
+def test_main_has_a_moment_to_end_by_itself(silent, monkeypatch):
     stops = []
     monkeypatch.setattr(server, "interrupt_main", lambda: stops.append("now"))
-    key = {"key": [silent.site.key]}
-    silent.wait(99)
-    Connection(silent).cut()  # it was refused
-    tab = Connection(silent)
-    other = Connection(silent)
-    tab.onOpen()
-    other.onOpen()
-    other.close()
-    for _ in range(3):
-        silent.wait(9)
-        tab.onPong(b"")
-    tab.say("left")
-    tab.cut()
-    tab.say("closed")
-    silent.wait(0.8 * CLOSED)
-    tab.ask_for("", key)
-    silent.wait(0.9 * LOADING)
-    tab.ask_for("", key)
-    silent.wait(0.9 * LOADING)
-    tab.onOpen()
-    tab.close()
-    silent.wait(CLOSED)
-    tab.ask_for("", {})
-    assert not silent.tabs.are_gone
-    silent.wait(LOOK_AT_TABS)
-    assert silent.tabs.are_gone
-    assert stops == []  # main can end by itself
+    tab = Connection(silent, "1")
+    tab.opens()
+    tab.closes()
+    silent.wait(CLOSED + LOOK_AT_TABS)
+    assert stops == []
     silent.later[-1]()
     assert stops == ["now"]
-    assert capsys.readouterr().out == ""
 
 
-@pytest.mark.parametrize("is_silent", [False, True])
-def test_a_page_that_is_lost_without_a_goodbye_has_a_minute(silent, capsys, is_silent):
-    """Its bob swings on at once.
-
-    When it goes on before the program has noticed, its old websocket costs no minute.
-    """
-    tab = Connection(silent, page="0.5", has="7")
-    tab.onOpen()
-    tab.cut()
-    silent.wait(2)
-    tab.onOpen()  # so soon that nothing is said
+def test_a_silent_page_is_lost_and_lets_its_bob_go_and_the_terminal_says_so(silent, capsys):
+    """A page that answers is not. After a short silence, nothing is said."""
+    tab = Connection(silent, "1")
+    tab.opens()
     tab.onMessage(b'["grab"]', False)
-    while not silent.tabs.commands.empty():
-        last = silent.tabs.commands.get()
-    assert last == ["grab"]
-    if is_silent:
-        silent.wait(connections.SILENT)
-        assert silent.tabs.commands.empty()
-        silent.wait(LOOK_AT_TABS)
-    else:
-        tab.cut()
+    assert silent.tabs.commands.get() == ["grab"]
+    silent.wait(connections.SILENT)
+    tab.onPong(b"")
+    silent.wait(connections.SILENT)
+    assert silent.tabs.commands.empty()
+    silent.wait(LOOK_AT_TABS)
     assert silent.tabs.commands.get() == ["let_go"]
-    silent.wait(LOST)
-    assert capsys.readouterr().out == GONE.format(57)
-    tab.onOpen()
-    assert capsys.readouterr().out == "The page is back.\n"
-    again = Connection(silent, page="0.5", has="9" * 5000)
-    again.onOpen()  # before anything says that tab is lost
-    assert [*silent.tabs.tabs] == [again]
-    other = Connection(silent)
-    other.onOpen()
-    again.cut()
-    for _ in range(8):  # longer than a minute
-        other.onPong(b"")
-        silent.wait(8)
-    other.close()
-    silent.wait(CLOSED)
-    assert not silent.tabs.are_gone
-    silent.wait(LOOK_AT_TABS)
-    assert silent.tabs.are_gone
+    silent.wait(FLICKER - LOOK_AT_TABS)
     assert capsys.readouterr().out == ""
-
-
-def test_a_page_that_is_left_can_come_back_by_back_or_by_a_reload(silent, capsys):
-    """Under its own name, or as another one that names it; it then leaves nothing to wait for."""
-    tab = Connection(silent, page="1")
-    again = Connection(silent, page="2", was="1")
-    for back in (tab, again):
-        tab.onOpen()
-        tab.cut()
-        tab.say("left")
-        silent.wait(LEFT)
-        assert capsys.readouterr().out == GONE.format(LEFT - FLICKER)
-        assert not silent.tabs.are_gone
-        back.onOpen()
-        assert capsys.readouterr().out == "The page is back.\n"
-    again.close()
-    silent.wait(CLOSED)
-    assert not silent.tabs.are_gone
     silent.wait(LOOK_AT_TABS)
-    assert silent.tabs.are_gone
+    assert capsys.readouterr().out == (
+        "The page has gone: you have left or closed it, its line is cut, or its machine sleeps. "
+        "The program waits 57 s for it. Ctrl+C ends it at once.\n"
+    )
+    tab.opens()
+    assert capsys.readouterr().out == "The page is back.\n"
 
 
-def test_another_page_takes_nothing_from_the_minute_of_a_lost_one(silent):
-    lost = Connection(silent, page="1")
-    other = Connection(silent, page="2")
-    lost.onOpen()
-    lost.cut()
-    other.onOpen()
-    other.close()
-    silent.wait(LOST)
-    assert not silent.tabs.are_gone
-    silent.wait(LOOK_AT_TABS)
-    assert silent.tabs.are_gone
+def test_a_page_that_is_back_takes_the_place_of_its_old_line(silent):
+    """Before anything says that this line is cut."""
+    Connection(silent, "1").opens()
+    again = Connection(silent, "1")
+    again.opens()
+    assert [*silent.tabs.tabs] == [again]

@@ -219,11 +219,3 @@ def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_
         else:
             tabs.receive(name, json.dumps([event, 1, 2]).encode())
     assert given(tabs) == commands.split(", ")
-
-
-def test_what_is_no_command_is_forgotten(tabs):
-    """test_table.py has commands that the viewer refuses."""
-    open_tab(tabs, 1)
-    for message in (b"[", b"[]", b"5", b"\xff", b"[" * 60_000):
-        tabs.receive(1, message)
-    assert given(tabs) == []

@@ -1,6 +1,7 @@
 """What asks the server of a page without a browser: a request, and a tab."""
 
 import json
+import random
 import socket
 from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
@@ -43,6 +44,7 @@ class Tab(ExitStack):
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
+        query = f"{query}&page={random.random()}&has=0"
         self.connection, self.answer = ask(page, f"{folder}ws", query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)

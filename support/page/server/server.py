@@ -10,6 +10,7 @@ import socket
 import threading
 import time
 from _thread import interrupt_main
+from functools import partial
 
 import txaio
 from autobahn.asyncio.websocket import WebSocketServerFactory
@@ -24,8 +25,7 @@ from support.page.server.tabs import Tabs
 FAREWELL = 0.3  # s that the tabs have to hear of the end
 # s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends.
 LEAVE = 1.0
-# bytes, either way: a tab that sends more loses its websocket, or it would stay in memory.
-LARGEST_MESSAGE = 2**26
+LARGEST_MESSAGE = 2**24  # bytes, either way: a tab that sends more loses its websocket
 
 
 class Server:
@@ -40,8 +40,6 @@ class Server:
         self.browser_start = BrowserStart()
         self.attendance = Attendance(self.browser_start.delete_file)
         self.site = Site(texts, self.attendance, self.tabs.pictures)
-        # The connections that are no websocket, the oldest one first.
-        self.waiting: dict[Connection, None] = {}
         ready = threading.Event()
         threading.Thread(target=self.serve, args=(ready,), daemon=True).start()
         ready.wait()
@@ -51,23 +49,14 @@ class Server:
         for name in ("asyncio", "autobahn"):  # they speak of clients: refused ones, cut ones
             logging.getLogger(name).setLevel(logging.CRITICAL)
         txaio.config.loop = self.loop  # type: ignore[attr-defined]
-        self.loop.set_exception_handler(lambda *_: None)  # of autobahn, at requests without sense
         asyncio.set_event_loop(self.loop)
         factory = WebSocketServerFactory(loop=self.loop)
-        factory.protocol = self.connection
-        factory.setProtocolOptions(
-            maxFramePayloadSize=LARGEST_MESSAGE,
-            maxMessagePayloadSize=LARGEST_MESSAGE,
-            webStatus=False,
-        )
+        factory.protocol = partial(Connection, self.site, self.attendance, self.tabs)
+        factory.setProtocolOptions(maxMessagePayloadSize=LARGEST_MESSAGE)
         self.loop.run_until_complete(self.loop.create_server(factory, sock=self.listener))
         self.loop.call_soon(self.look)
         self.loop.call_soon(ready.set)
         self.loop.run_forever()
-
-    def connection(self) -> Connection:
-        """Return a new connection; autobahn calls this for each."""
-        return Connection(self.site, self.attendance, self.tabs, self.waiting)
 
     def address(self) -> str:
         """Return the address of the page, with the key."""

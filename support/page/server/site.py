@@ -104,8 +104,7 @@ class Site:
         if name == "alive":
             return HttpResponse("200 OK", content=b"alive")
         if name in GOODBYES:
-            page_name = parameters.get("page", ["no name"])[0]
-            self.attendance.hear_goodbye(page_name, GOODBYES[name])
+            self.attendance.hear_goodbye(parameters["page"][0], GOODBYES[name])
             return HttpResponse("200 OK")
         self.attendance.expect_one_that_loads()
         return HttpResponse("200 OK", ".html", page_with(self.texts))

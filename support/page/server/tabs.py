@@ -134,7 +134,7 @@ class Tabs:
             return
         try:
             command, *values = json.loads(data)
-        except (ValueError, TypeError, RecursionError):
+        except (ValueError, TypeError):
             return
         if command in ("grab", "drag", "let_go"):
             is_free = self.holder is None and command == "grab"
