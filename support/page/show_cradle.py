@@ -4,7 +4,6 @@ import sys
 from argparse import Namespace
 from collections.abc import Sequence
 from ipaddress import ip_address
-from pathlib import Path
 from subprocess import list2cmdline
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -51,7 +50,7 @@ def show_cradle(
     options = read_page_options()
     cradle = Cradle(main, special_cradles, options, many_ticks)
     loop, remark = what_there_is(main, cradle)
-    show_page(loop, cradle, options, [options.angle], remark or cradle.slow_remark())
+    show_page(loop, cradle, options, [options.angle], remark)
 
 
 @ended_quietly()
@@ -93,7 +92,7 @@ def show_page(
         if options.ghosts is not None:
             ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
         if options.experiment is not None:
-            experiment = read_experiment(Path(options.experiment), len(angles))
+            experiment = read_experiment(options.experiment, len(angles))
         if options.html is None and options.html_all is None:
             server = open_page(options)
     except ValueError as error:

@@ -7,6 +7,7 @@ import argparse
 import os
 from collections.abc import Callable, Sequence
 from math import inf, isfinite, sqrt
+from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from support import constants
@@ -129,7 +130,7 @@ def cradle_options(description: str) -> OneLineParser:
     text = "number of lifted bobs, from the left (default: 1)"
     add("--lift", type=count, metavar="K", help=text)
     text = "file of an experiment, to begin with it in place of the CSV"
-    add("--experiment", type=FILE, metavar="FILE", help=text)
+    add("--experiment", type=Path, metavar="FILE", help=text)
     return parser
 
 
@@ -247,7 +248,7 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     """Return the options of the cradle in the terminal.
 
     They are those of the cradle, seconds (inf if missing), record (a path, - for the output, or
-    None) and every (s). experiment is a path, or None.
+    None) and every (s). experiment is a Path, or None.
     """
     parser = cradle_options(
         "Newton's cradle in the terminal, a line each half second; or, with --record, its data."

@@ -35,6 +35,9 @@ class HasFunctions(Protocol):
     needs: set[str]  # the names of those without which there is no picture
     scope: ChainMap[str, Any]
 
+    def slow_remark(self) -> str:
+        """Return why the program is slow although nobody has changed a function, or ""."""
+
 
 def stubs_in(source: str | bytes) -> dict[str, Stub]:
     """Return the stub of each function in source that has one, by the function's name.
@@ -104,8 +107,9 @@ def end_if_unwritten(*modules: str, names: Collection[str] | None = None) -> Non
 
 
 def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
-    """Return main and no remark, or a simpler loop and a remark that names the missing functions.
+    """Return main, or a simpler loop, and a remark: the missing functions, or why main is slow.
 
+    The remark can be empty.
     Exit if functions are missing without which there is no picture.
     """
     end_if_unwritten("pds_helper", "special_cradles", names=cradle.needs)
@@ -128,7 +132,9 @@ def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
         else:
             sentence = "Then the bobs collide. If no pendulum swings, type pytest."
     missing = "; ".join(place for place in (others, for_swings or for_hits) if place)
-    return loop, f"Write next: {missing}. {sentence}".strip() if missing else ""
+    if missing:
+        return loop, f"Write next: {missing}. {sentence}".strip()
+    return loop, cradle.slow_remark()
 
 
 def preview(scope: Mapping[str, Any], swings: bool = False, collides: bool = False) -> Loop:
