@@ -101,7 +101,7 @@ def cradle_controls(
         limits=lambda: (0, len(cradle.pend_list)),
         as_text=lambda lifted: f"{lifted} of {len(cradle.pend_list)}",
         is_whole=True,
-        help="Bobs lifted: from the left. Keys: 1 to 9",
+        help="Bobs lifted: from the left",
     )
     angles = [release_angle(cradle, settings, *angle) for angle in enumerate(cradle.angle_limits)]
     mass = Slider(

@@ -24,7 +24,7 @@ from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, refuse
 
 INDEX_STYLE = """
-:root { color-scheme: light dark; font: 1.1rem/1.5 system-ui, sans-serif }
+:root { font: 1.1rem/1.5 system-ui, sans-serif }
 body { max-width: 40rem; margin: 2rem auto; padding: 0 1rem }
 li { margin: 1rem 0 }
 """

@@ -9,7 +9,6 @@ from whole_cradles import FIVE_CSV
 
 # Put the settings back to those with which the page opens, pause, and restart the cradle.
 PUT_BACK = """() => {
-    dispatchEvent(new Event("afterprint"));
     set("experiment", state.controls.experiment.choices[0]);
     if (state.running || state.question?.asking) send("pause");
     for (const name of ["ask_first", "ask_seen", "slow_hits", "arrows", "measure", "separating"])
@@ -104,7 +103,7 @@ def shared(open_page, file):
     if file.read_text() != FIVE_CSV:
         file.write_text(FIVE_CSV)
     page.set_viewport_size({"width": 1000, "height": 700})
-    page.emulate_media(media="screen", color_scheme="light", forced_colors="none")
+    page.emulate_media(media="screen", forced_colors="none")
     page.evaluate(PUT_BACK)
     page.wait_for_function(IS_BACK)
     pages.press(page, "Run")
@@ -138,25 +137,3 @@ def is_whole(page, selector):
         return 0 <= left && left < right && right <= innerWidth
             && 0 <= top && top < bottom && bottom <= innerHeight;
     }""")
-
-
-# Where a picture on paper begins to be red, from its left edge (0) to its right one (1).
-RED = """picture => {
-    const { width, height } = picture;
-    const { data } = picture.getContext("2d").getImageData(0, 0, width, height);
-    const isWhite = Math.min(...data.slice(0, 4)) === 255;
-    if (!isWhite || !picture.checkVisibility() || one(".canvas").checkVisibility()) return NaN;
-    let left = width;
-    for (let place = 0; place < width * height; place++) {
-        const [r, g, b] = data.slice(4 * place, 4 * place + 3);
-        if (r > 100 && g < 40 && b < 40) left = Math.min(left, place % width);
-    }
-    return left / width;
-}"""
-
-
-def printed(page):
-    """Have the page as it is on paper; return where the red bob is in its picture, from 0 to 1."""
-    page.evaluate("dispatchEvent(new Event('beforeprint'))")
-    page.emulate_media(media="print")
-    return page.locator(".picture canvas:visible").evaluate(RED)

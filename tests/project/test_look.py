@@ -7,7 +7,7 @@ from programs import wait_until
 from shared_page import wait_for_text
 from whole_cradles import HEADER
 
-from support.constants import COLOR_MAP, R_PARAM
+from support.constants import R_PARAM
 
 COLORS = ["black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple"]
 
@@ -50,7 +50,7 @@ def large(whole):
 
 
 def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
-    """By its edge or its middle: on a pale page a yellow bob has a dark edge, and is yellow."""
+    """By its edge or its middle: a yellow bob has a dark edge."""
     file.write_text(HEADER + "".join(f"1,1,0,0,{color},metal\n" for color in COLORS))
     pages.wait_for_cradle(large, bobs=10)
     slide(large, "Bobs lifted", 0)
@@ -64,15 +64,10 @@ def test_each_color_stands_out_from_the_page_with_a_contrast_of_3(large, file):
     axle_x, axle_y = pages.axle(0)
     x, y = large.evaluate(pages.PIXEL, [axle_x, axle_y - R_PARAM / 2])
     cord = [[x + aside, y, 0] for aside in (-1, 0, 1)]  # it is two pixels wide
-    for scheme in ("dark", "light"):
-        large.emulate_media(color_scheme=scheme)
-        large.wait_for_function("isDark => dark.matches === isDark", arg=scheme == "dark")
-        contrasts = large.evaluate(CONTRASTS, [*edges, *insides, *cord])
-        best = map(max, contrasts[:10], contrasts[10:20])
-        for color, contrast in zip([*COLORS, "cord"], [*best, max(contrasts[20:])], strict=True):
-            assert contrast >= 3, (color, scheme)
-    colors = large.evaluate("bobs().map(bob => bob.color).map(({ x, y, z }) => [x, y, z])")
-    assert colors == [COLOR_MAP[color].value for color in COLORS]  # again as in the file
+    contrasts = large.evaluate(CONTRASTS, [*edges, *insides, *cord])
+    best = map(max, contrasts[:10], contrasts[10:20])
+    for color, contrast in zip([*COLORS, "cord"], [*best, max(contrasts[20:])], strict=True):
+        assert contrast >= 3, color
 
 
 def test_shadows_are_under_the_bobs(shared):
@@ -81,7 +76,7 @@ def test_shadows_are_under_the_bobs(shared):
     shared.wait_for_function(f"() => ({SHADOWS})().length")
     pages.draw(shared, False)
     for lifted in (1, 5):
-        shared.keyboard.press(str(lifted))
+        shared.evaluate("lifted => set('lifted', lifted)", lifted)
         wait_for_angles(shared, *[-45] * lifted, *[0] * (5 - lifted))
         places = shared.evaluate("() => bobs().map(bob => bob.pos.x)")
         layers = [place for place in places for _ in range(4)]
@@ -96,7 +91,7 @@ def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(s
     first, second, *hanging = circles
     assert first < second < 0  # to the left of the first axle
     assert hanging == sorted(hanging)
-    shared.keyboard.press("3")
+    slide(shared, "Bobs lifted", 3)
     shared.locator(".choose").get_by_text("Two bobs, changed").wait_for()
 
 

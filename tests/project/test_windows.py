@@ -1,4 +1,4 @@
-"""What a window, paper, a system, a browser and fingers change: cradle, text and colors follow."""
+"""What a window, a system, a browser and fingers change: cradle, text and colors follow."""
 
 import pages
 import programs
@@ -6,7 +6,7 @@ import pytest
 from layout_rules import FAULTS
 from pages import bob_angles, pause, pixel, slide, wait_for_angles
 from programs import wait_until
-from shared_page import ASK, edges, is_whole, printed, wait_for_text
+from shared_page import ASK, edges, is_whole, wait_for_text
 
 PHONE, LAPTOP, BOARD = (390, 844), (1366, 625), (2560, 1440)
 FRAME = (700, 200)  # in a course page
@@ -69,29 +69,6 @@ def test_a_wide_window_has_all_in_view_beside_a_large_cradle(at_rest):
     assert at_rest.evaluate(LETTERS) >= 0.022 * BOARD[1]
 
 
-# What is there on paper, from above, and the color of the last curve in the legend.
-ON_PAPER = """() => [
-    ...find(".picture canvas, .readout, .plot canvas, .plot + .x, button, select, input")
-        .filter(part => part.checkVisibility()).map(part => part.className || part.nodeName),
-    find(".legendColorBox div div").at(-1)?.style.borderColor,
-]"""
-
-
-def test_a_page_on_paper_has_cradle_numbers_and_graph_in_the_colors_of_the_light_page(at_rest):
-    """The cradle is as it is now. The graph has its width on paper."""
-    pages.draw(at_rest, True)
-    at_rest.emulate_media(color_scheme="dark")
-    assert 0.25 < printed(at_rest) < 0.4
-    parts = ["CANVAS", "readout printed", "base", "overlay", "x printed"]
-    assert at_rest.evaluate(ON_PAPER) == [*parts, "rgb(0, 0, 0)"]
-    width = "[one('.plot canvas').clientWidth, Math.round(one('.plot').clientWidth)]"
-    drawn, place = at_rest.evaluate(width)
-    assert drawn == place == 643  # 17 cm
-    at_rest.evaluate("set('graph', 'no graph')")
-    at_rest.locator(".plot").wait_for(state="hidden")
-    assert at_rest.evaluate(ON_PAPER)[:-1] == parts[:2]
-
-
 def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver, shared):
     """24 pixels in the settings of the browser.
 
@@ -116,19 +93,7 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
             assert not faults, "\n".join(faults)
 
 
-# Whether the panel and the canvas are both dark, or both light.
-IS_DARK = """isDark => {
-    const panel = parseInt(getComputedStyle(one(".panel")).backgroundColor.slice(4)) < 128;
-    const canvas = glowObjs[0].background.x < 0.3;
-    return panel === isDark && canvas === isDark;
-}"""
-
-
-def test_panel_and_canvas_are_as_dark_as_the_system_and_curves_keep_their_colors(at_rest):
-    """Also where the system forces its own colors."""
-    for scheme in ("dark", "light"):
-        at_rest.emulate_media(color_scheme=scheme)
-        at_rest.wait_for_function(IS_DARK, arg=scheme == "dark")
+def test_curves_keep_their_colors_where_the_system_forces_its_own(at_rest):
     at_rest.emulate_media(forced_colors="active")
     legend = at_rest.evaluate(
         "find('.legendColorBox div div').map(e => getComputedStyle(e).borderColor)"

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import ceil
 from typing import NamedTuple
 
-from vpython import box, cylinder, distant_light, scene, textures, vector
+from vpython import box, color, cylinder, distant_light, scene, textures, vector
 
 from support.cradle.dragging import FINGER
 from support.pendulum import discard, make_shape
@@ -41,12 +41,16 @@ class Scenery:
     """The light on VPython's canvas, and the frame around a cradle. Each tab has its own camera."""
 
     def __init__(self) -> None:
-        """Set the lights, and a distant camera. light.js says how bright they are."""
+        """Set the lights, and a distant camera.
+
+        On a pale page, the edges of bobs must be dark, and their middle bright.
+        """
         scene.autoscale = False
         scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
+        scene.ambient = color.gray(0.26)
         scene.lights = []
-        for direction in (vector(0.2, 0.4, 1), vector(-0.6, 0.3, 0.4)):
-            distant_light(direction=direction)
+        distant_light(direction=vector(0.2, 0.4, 1), color=color.gray(0.9))
+        distant_light(direction=vector(-0.6, 0.3, 0.4), color=color.gray(0.2))
         self.frame: list = []
 
     def surround(

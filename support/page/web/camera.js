@@ -1,15 +1,16 @@
 // The camera of this tab: it shows the whole cradle, and does not lose it when you turn and zoom.
 // And the texts in its picture: the numbers above the axles, and the labels.
+import { colorOf } from "colors";
 import { isShown } from "ghosts";
-import { label, rgb, scene, vec } from "glow";
-import { css, one, state } from "page";
+import { label, scene, vec } from "glow";
+import { one, state } from "page";
 
 const FORWARD = [0, -0.2, -1]; // the camera looks a little from above
 const MARGIN = 1.04; // the view is larger than the cradle by this factor
 const NEAREST = 0.1; // of the range with which the whole cradle fills the canvas
 const FARTHEST = 3;
 const MOVED = 1e-3; // the least part of the range, or turn (rad), by which a camera has moved
-const INK = vec(0.5, 0.5, 0.53); // of the texts, on a pale and on a dark page
+const INK = vec(0.5, 0.5, 0.53); // of the texts
 const SMALLEST = 0.875; // height of the numbers, in heights of the page's text
 const LETTER = 0.55; // width of a letter, in heights
 
@@ -108,16 +109,11 @@ function writeTexts() {
   const above = ({ x, text }) => ({ pos: vec(x, top, 0), text, height: size, ...STYLES.number });
   const inside = ({ x, y, text, kind }) => {
     const height = kind === "bob" ? Math.min(size, apart / widthOf(text)) : size;
-    const colors = kind === "dial" ? {} : { color: ofPage("--ink"), background: ofPage("--paper") };
+    const colors = kind === "dial" ? {} : { color: colorOf("--ink"), background: colorOf("--paper") };
     return { pos: vec(x, y, 0), text, height, ...colors, ...STYLES[kind] };
   };
   const shown = state.view.labels.filter(({ answer }) => isShown(answer));
   showLabels([...fitting.map(above), ...shown.map(inside)]);
-}
-
-function ofPage(name) {
-  const { r, g, b } = rgb(css(name));
-  return vec(r, g, b).divide(255);
 }
 
 // Return the width of a text with a gap, in heights of its letters.

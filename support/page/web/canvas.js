@@ -1,17 +1,15 @@
 // VPython's canvas in this tab: its size, its color, its name, and the loss of the graphics driver.
-// It has a camera (camera.js), it can be touched (mouse.js), and printed (paper.js).
+// It has a camera (camera.js), and it can be touched (mouse.js).
 import { fit, follow, limit, look } from "camera";
-import { dark } from "colors";
-import { canDraw, coordinates, draw, layers, rgb, scene, vec } from "glow";
+import { colorOf } from "colors";
+import { canDraw, canvasElement, coordinates, draw, scene } from "glow";
 import { showGhosts } from "ghosts";
-import { endPicture, light, paintShapes, shine } from "light";
+import { endPicture, light } from "light";
 import { listen } from "mouse";
-import { css, notice, one, remember, show, state, update } from "page";
-import "paper";
+import { notice, one, remember, show, state, update } from "page";
 import { isOpen } from "program";
 
 let hasBegun = false;
-let isDark = false; // as it is painted
 
 if (!canDraw) notice("no-webgl");
 
@@ -38,7 +36,7 @@ show("view", view => { // the first one comes with the canvas
 
 function begin() {
   hasBegun = true;
-  const [element] = layers();
+  const element = canvasElement();
   look(history.state?.forward);
   remember({ forward: null });
   listen();
@@ -48,7 +46,7 @@ function begin() {
   scene().bind("draw_complete", endPicture);
   element.addEventListener("webglcontextlost", stopDrawing);
   element.addEventListener("webglcontextrestored", loadAgain);
-  paint();
+  scene().background = colorOf("--back");
   resize();
   setInterval(describe, 1000);
   requestAnimationFrame(watch);
@@ -58,7 +56,6 @@ function begin() {
 function watch() {
   resize();
   limit();
-  if (isDark !== dark.matches) paint();
   requestAnimationFrame(watch);
 }
 
@@ -70,14 +67,6 @@ function resize() { // the canvas fills its part of the window, in the pixels of
   if (!width || !height || isSame) return;
   Object.assign(scene(), { width, height });
   fit();
-}
-
-function paint() { // the canvas has the color of the page
-  isDark = dark.matches;
-  const { r, g, b } = rgb(css("--back"));
-  scene().background = vec(r, g, b).divide(255);
-  shine();
-  paintShapes();
 }
 
 // The canvas, in words; at most once a second, or a screen reader would never end.

@@ -1,8 +1,12 @@
-// Whether the page is dark, and what can be seen on it.
-import { rgb } from "glow";
+// The colors of the page (page.css), and colors that can be seen on it.
+import { rgb, vec } from "glow";
 import { css } from "page";
 
-export const dark = matchMedia("(prefers-color-scheme: dark)");
+// Return the color with this name as VPython has it.
+export function colorOf(name) {
+  const { r, g, b } = rgb(css(name));
+  return vec(r, g, b).divide(255);
+}
 
 // A curve has the color of its bob. If this can hardly be seen on the page, some of the page's ink
 // is mixed in.

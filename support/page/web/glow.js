@@ -29,8 +29,8 @@ for (const name of ["enableVertexAttribArray", "vertexAttribPointer"]) {
 export const scene = () => objects[0];
 export const kindOf = object => object?.constructor.name; // "sphere", "arrow", ...
 export const isShape = object => object?.pickable !== undefined; // else a canvas, or a light
-export const isSphere = object => kindOf(object) === "sphere";
-export const bobs = () => objects.filter(o => isSphere(o) && o.visible && o.pickable); // no ghosts
+// No ghosts: these cannot be picked.
+export const bobs = () => objects.filter(o => kindOf(o) === "sphere" && o.visible && o.pickable);
 export const coordinates = ({ x, y, z }) => [x, y, z];
 
 // Do what the program says to its objects; decode and handler are those of VPython's own page.
@@ -42,11 +42,7 @@ export const plot = (...how) => $.plot(...how);
 // Return the parts of a CSS color, from 0 to 255 (flot, too).
 export const rgb = color => $.color.parse(color);
 
-// The canvas of the cradle, and the one above it, which has the texts.
-export const layers = () => [scene().__canvas_element, scene().__overlay_element];
-
-// Draw the cradle at once: a canvas forgets its pixels. 0 is VPython's number for a picture.
-export const drawNow = () => scene().__renderer.render(0);
+export const canvasElement = () => scene().__canvas_element;
 
 // The canvas has the display's own pixels. VPython takes the mouse's, which are the page's: on a
 // display with twice as many, it would look for the mouse in another place.
@@ -54,7 +50,7 @@ export function useDisplaysPixels() {
   const { mouse } = scene();
   const update = mouse.__update;
   mouse.__update = function (event) {
-    const { left, top } = $(layers()[0]).offset();
+    const { left, top } = $(canvasElement()).offset();
     const pageX = left + (event.pageX - left) * devicePixelRatio;
     const pageY = top + (event.pageY - top) * devicePixelRatio;
     update.call(this, { ...event, type: event.type, pageX, pageY });

@@ -1,5 +1,5 @@
 // The graph of the state's rows: below the cradle; in a tall window, in the panel.
-import { dark, legible } from "colors";
+import { legible } from "colors";
 import { plot } from "glow";
 import { css, one, show, state } from "page";
 
@@ -8,7 +8,6 @@ const ENTRY = 44; // pixels: the width of a number in the legend
 
 show("curves", drawGraph);
 new ResizeObserver(drawGraph).observe(one(".plot"));
-dark.addEventListener("change", drawGraph);
 tall.addEventListener("change", placeGraph);
 placeGraph();
 
@@ -17,7 +16,7 @@ function placeGraph() {
   else one(".panel").after(one(".graph"));
 }
 
-export function drawGraph() {
+function drawGraph() {
   const { x, y, curves, rows, from, to, bottom, top } = state.curves ?? { curves: [] };
   const place = one(".plot");
   one(".graph").classList.toggle("none", !curves.length);

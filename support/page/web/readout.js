@@ -1,6 +1,6 @@
 // What the page says of the motion: in numbers, in a sentence, and in bars; and of a hit.
-import { dark, legible } from "colors";
-import { make, one, show, state, update } from "page";
+import { legible } from "colors";
+import { make, one, show, state } from "page";
 
 show("running", running => {
   one("[data-do=pause]").textContent = running ? "Pause" : "Run";
@@ -18,7 +18,6 @@ show("bars", chart => {
   const parts = chart ? [make("h2", {}, chart.title), ...chart.bars.map(makeBar)] : [];
   one(".momenta").replaceChildren(...parts);
 });
-dark.addEventListener("change", () => update("bars")); // their colors are legible(...)
 show("hit", hit => {
   const place = one(".hit-part");
   place.replaceChildren();

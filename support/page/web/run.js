@@ -56,7 +56,6 @@ const commands = {
 };
 // A saved run has no controls, and nothing that one can do before its pictures are there.
 for (const key of ["h", "n", "p", "?"]) delete keys[key];
-keys.ArrowLeft = () => isRunning || isWaiting() || jump(upTo(current - 1));
 setLine({
   send: ([name, ...values]) => pictures.length && commands[name]?.(...values),
   isOpen: () => true,
