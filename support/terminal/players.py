@@ -17,14 +17,16 @@ from support.start.output import in_one_line, Progress, progress_bar
 
 TICKS_A_FRAME = 1000  # ticks from one report of a recording's progress to the next
 HALF_SECOND = 0.5  # s from line to line
-ENERGY = "energy".rjust(12)
+# All columns have 8 or 16 letters: where a terminal wraps a long line, no number is split.
+TIME = "   t (s)"
+ENERGY = "          energy"
 ANGLES = "   angle of each bob (degrees, positive to the right)"
 
 
 def heading(motion: Motion) -> str:
     """Return the line above the columns of line_of."""
     energy = "" if motion.cradle.hidden else ENERGY
-    return f"{'t (s)':>8}{energy}{ANGLES}"
+    return TIME + energy + ANGLES
 
 
 def line_of(motion: Motion) -> str:

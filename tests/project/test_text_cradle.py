@@ -50,10 +50,14 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     players.run(cradle_main, player)
     assert sum(slept) == pytest.approx(1.2, abs=2 / 60)
     heading, first, *lines = capsys.readouterr().out.splitlines()
-    assert heading == "   t (s)      energy   angle of each bob (degrees, positive to the right)"
-    assert first == "    0.00     100.0 %   -30.0     0.0     0.0     0.0     0.0"
-    assert [line[:20] for line in lines] == [f"{time:8.2f}     100.0 %" for time in (0.5, 1.0, 1.2)]
-    shown = [float(angle) for angle in lines[-1][20:].split()]
+    assert (
+        heading == "   t (s)          energy   angle of each bob (degrees, positive to the right)"
+    )
+    assert first == "    0.00         100.0 %   -30.0     0.0     0.0     0.0     0.0"
+    assert [line[:24] for line in lines] == [
+        f"{time:8.2f}         100.0 %" for time in (0.5, 1.0, 1.2)
+    ]
+    shown = [float(angle) for angle in lines[-1][24:].split()]
     assert shown == pytest.approx([degrees(pend["theta"]) for pend in cradle.pend_list], abs=0.05)
 
 
