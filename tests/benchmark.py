@@ -1,4 +1,4 @@
-"""Speed and accuracy of the programs.
+"""Five figures of the programs: their speed, their accuracy, and what the page costs.
 
 To compare, there are pymunk (a physics engine for games), an exact cradle, and bare VPython.
 
@@ -11,6 +11,7 @@ import re
 import sys
 import tempfile
 import time
+from contextlib import contextmanager
 from functools import partial
 from math import atan2, cos, inf, sin
 from pathlib import Path
@@ -23,10 +24,9 @@ if __name__ == "__main__":
 
 import pymunk
 import vpython
-from exact_cradle import apart, exact_outer_angles, outer_angles, SAMPLE
-from pages import ARGUMENTS, BOBS, CHROMIUM, draw, open_cradle, readout
-from playwright.sync_api import sync_playwright
-from programs import first_lines, ROOT, running
+from exact_cradle import apart, exact_outer_angles, outer_angles
+from pages import ARGUMENTS, BOBS, CHROMIUM, draw, GIVE_NAMES, open_cradle, readout
+from programs import first_lines, PROGRAM, running
 from whole_cradles import do_at_once, GOOD, HEADER, make_row
 
 from src.visualize_cradle_run import newton_cradle_tick
@@ -35,10 +35,6 @@ from support.pendulum import BUFFER
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
 
-# VPython then believes that the page is open: no server, no browser
-vpython.baseObj._view_constructed = True
-
-SPAN = 20.0  # s
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
 
@@ -109,27 +105,38 @@ def cpu_time(make, seconds) -> float:
     return min(times)
 
 
-def speeds():
-    """Yield rows with the ticks a second of single ticks and of the fast path."""
-    for count in (5, 50, 500):
-        few, many = 50_000 // count, 1_000_000 // count  # ticks
+def ticks(counts=(5, 500), swings=1_000_000) -> None:
+    """Print the ticks a second of cradles with these counts of pendula.
+
+    The fast path computes this many swings of one pendulum, and single ticks a twentieth of them.
+    """
+    rows = []
+    for count in counts:
+        many = swings // count  # ticks
+        few = many // 20
         single = cpu_time(partial(our_cradle, DT, count, by_single_ticks), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
-        per_second = f"{1 / single:,.0f}", f"{1 / fast:,.0f}"
-        yield count, *per_second, f"{single / fast:.1f}", f"{1e6 * fast / count:.3f}"
+        rows.append([count, f"{1 / single:,.0f}", f"{1 / fast:,.0f}", f"{single / fast:.1f}"])
+    show("Ticks a second", ["pendula", "newton_cradle_tick", "many_ticks", "times"], rows)
 
 
-def places(exact):
-    """Yield rows with how far the outer bobs are from the exact ones."""
+def errors(seconds=20.0, picture=None) -> None:
+    """Print how far the outer bobs are from the exact ones, and draw it into this file."""
+    exact = exact_outer_angles(seconds)
+    rows = []
     for engine, (make, steps) in ENGINES.items():
         for dt in steps:
-            spent = cpu_time(partial(make, dt), SPAN)
-            off = apart(exact, outer_angles(make(dt), SPAN))
-            yield engine, f"{1000 * dt:g}", f"{spent:.3f}", f"{off:.2f}"
+            spent = cpu_time(partial(make, dt), seconds)
+            off = apart(exact, outer_angles(make(dt), seconds))
+            rows.append([engine, f"{1000 * dt:g}", f"{spent:.3f}", f"{off:.2f}"])
+    head = ["engine", "step (ms)", "processor time (s)", "off by (degrees)"]
+    show(f"The outer bobs in {seconds:g} s", head, rows)
+    if picture:
+        draw_errors(rows, picture)
 
 
-def draw_places(rows, file) -> None:
-    """Draw the rows of places into this file, a curve for each engine."""
+def draw_errors(rows, file) -> None:
+    """Draw the rows of errors into this file, a curve for each engine."""
     from matplotlib import pyplot
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
@@ -148,69 +155,78 @@ def draw_places(rows, file) -> None:
     figure.savefig(file, dpi=120)
 
 
-def pages(browser):
-    """Yield rows with the costs of the page, while the browser draws it and while it does not."""
-    for count in (5, 50, 100, 200):
-        with tempfile.TemporaryDirectory() as folder:
-            (csv := Path(folder, "cradle.csv")).write_text(HEADER + GOOD * count)
-            with (
-                running(None, str(csv)) as process,
-                browser.new_page(viewport={"width": 1366, "height": 768}) as page,
-            ):
-                open_cradle(page, first_lines(process), count, drawn=True)
-                yield count, *rates(process, page, drawn=True), *rates(process, page, drawn=False)
+@contextmanager
+def new_tab(browser):
+    """Yield a new tab whose names the tests can use."""
+    with browser.new_page(viewport={"width": 1366, "height": 768}) as page:
+        page.add_init_script(GIVE_NAMES)
+        yield page
 
 
-def rates(process, page, drawn) -> list[str]:
-    """Return the processor time (s) and the simulated time (s) of a program in a second."""
-    draw(page, drawn)
-    looks = []
-    for wait in (3, 8):  # s
-        time.sleep(wait)
-        # The user's and the system's
-        ticks = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])
-        looks.append(
-            (time.perf_counter(), sum(ticks) / os.sysconf("SC_CLK_TCK"), readout(page, "t"))
-        )
-    span, *others = (after - before for before, after in zip(*looks, strict=True))
-    return [f"{other / span:.2f}" for other in others]
+def open_and_draw(page, address) -> None:
+    """Open a page, and wait until the browser has drawn its first picture."""
+    page.goto(address)
+    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
+    draw(page, True)
 
 
-def first_pictures(browser):
-    """Yield rows with the seconds until the browser has drawn the first picture of a program."""
+def first_pictures(browser, times=5) -> None:
+    """Print the seconds from the start of a program to its first picture, started this often."""
     commands = {"bare VPython": ("-c", "from vpython import sphere; sphere()"), "the cradle": ()}
-    times = {name: [] for name in commands}
-    for name, command in [*commands.items()] * 5:
+    found = {name: [] for name in commands}
+    for name, command in [*commands.items()] * times:
         start = time.perf_counter()
         with (
             running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as program,
-            browser.new_page() as page,
+            new_tab(browser) as page,
         ):
-            page.goto(re.search(r"http:\S+", program.stdout.readline())[0])
-            page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
-            draw(page, True)
-            times[name].append(time.perf_counter() - start)
-    for name, seconds in times.items():
-        yield name, f"{min(seconds):.2f}", f"{median(seconds):.2f}"
+            open_and_draw(page, re.search(r"http:\S+", program.stdout.readline())[0])
+            found[name].append(time.perf_counter() - start)
+    rows = []
+    for name, seconds in found.items():
+        rows.append([name, f"{min(seconds):.2f}", f"{median(seconds):.2f}"])
+    show("Seconds to the first picture", ["program", "least", "median"], rows)
 
 
-def run_files(browser):
-    """Yield rows of a run of 30 s as one HTML file: its size, the seconds to write and open it."""
-    for name in ("visualize_cradle_run", "visualize_double_cradle_run"):
-        with tempfile.TemporaryDirectory() as folder, browser.new_page() as page:
-            file = Path(folder, "run.html")
-            start = time.perf_counter()
-            with running(
-                ROOT / f"src/{name}.py", "--html", str(file), "--seconds", "30"
-            ) as program:
-                program.wait()
-            written = time.perf_counter()
-            page.goto(file.as_uri())
-            page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
-            draw(page, True)
-            opened = time.perf_counter()
-            size = file.stat().st_size / 1e6
-            yield name, f"{size:.2f}", f"{written - start:.1f}", f"{opened - written:.2f}"
+def shares(browser, counts=(5, 50, 200), waits=(3, 8)) -> None:
+    """Print what cradles with these counts of pendula take of a core, while nothing is drawn.
+
+    After the first wait (s), it is measured for the second one.
+    """
+    rows = []
+    for count in counts:
+        with tempfile.TemporaryDirectory() as folder:
+            csv = Path(folder, "cradle.csv")
+            csv.write_text(HEADER + GOOD * count)
+            with running(PROGRAM, str(csv)) as process, new_tab(browser) as page:
+                open_cradle(page, first_lines(process), count)
+                looks = []
+                for wait in waits:
+                    time.sleep(wait)
+                    looks.append(look(process, page))
+        span, spent, simulated = (after - before for before, after in zip(*looks, strict=True))
+        rows.append([count, f"{spent / span:.2f}", f"{simulated / span:.2f}"])
+    show("The page", ["pendula", "share of a core", "simulated s in 1 s"], rows)
+
+
+def look(process, page) -> tuple[float, float, float]:
+    """Return the time now, the processor time of a process, and the time of its cradle (s)."""
+    # The user's and the system's
+    spent = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])
+    return time.perf_counter(), sum(spent) / os.sysconf("SC_CLK_TCK"), readout(page, "t")
+
+
+def saved_run(browser, seconds=30) -> None:
+    """Print the size of a run of these seconds as an HTML file, and the time until it is drawn."""
+    with tempfile.TemporaryDirectory() as folder, new_tab(browser) as page:
+        file = Path(folder, "run.html")
+        with running(PROGRAM, "--html", str(file), "--seconds", f"{seconds}") as program:
+            program.wait()
+        start = time.perf_counter()
+        open_and_draw(page, file.as_uri())
+        drawn = time.perf_counter() - start
+        row = [f"{seconds} s", f"{file.stat().st_size / 1e6:.2f}", f"{drawn:.2f}"]
+    show("A saved run", ["run", "MB", "s until it is drawn"], [row])
 
 
 def show(title, head, rows) -> None:
@@ -222,7 +238,7 @@ def show(title, head, rows) -> None:
 
 @ended_quietly()
 def main() -> None:
-    """Print all measurements."""
+    """Print all figures."""
     parser = OneLineParser(
         description="Measure the speed and the accuracy of the programs.", allow_abbrev=False
     )
@@ -230,36 +246,17 @@ def main() -> None:
         "--picture", metavar="FILE", help="also draw where the bobs are; needs matplotlib"
     )
     file = parser.parse_args().picture
-    show(
-        "Ticks a second",
-        ["pendula", "newton_cradle_tick", "many_ticks", "times", "us a swing"],
-        speeds(),
-    )
-    exact = exact_outer_angles(SPAN)
-    differs = f"{apart(exact, exact_outer_angles(SPAN, SAMPLE / 2)):.0e}"
-    rows = [*places(exact)]
-    show(
-        f"The outer bobs in {SPAN:g} s. A finer exact cradle differs by {differs} degrees",
-        ["engine", "step (ms)", "processor time (s)", "off by (degrees)"],
-        rows,
-    )
-    if file:
-        draw_places(rows, file)
+    # VPython then believes that the page is open: no server, no browser
+    vpython.baseObj._view_constructed = True
+    from playwright.sync_api import sync_playwright  # not all who test have it
+
+    ticks()
+    errors(picture=file)
     with sync_playwright() as driver:
         browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-        head = [
-            "pendula",
-            "share of a core",
-            "simulated s in 1 s",
-            "share, nothing drawn",
-            "simulated, nothing drawn",
-        ]
-        show("The page", head, pages(browser))
-        show(
-            "Seconds to the first picture", ["program", "least", "median"], first_pictures(browser)
-        )
-        head = ["program", "MB", "s to write it", "s until it is drawn"]
-        show("A run of 30 s as an HTML file", head, run_files(browser))
+        first_pictures(browser)
+        shares(browser)
+        saved_run(browser)
 
 
 if __name__ == "__main__":

@@ -29,8 +29,8 @@ def gap(left, contact, _, state):
     return hypot(x, y) - contact
 
 
-def exact_outer_angles(seconds, step=SAMPLE):
-    """Return the outer_angles of the exact cradle, computed in steps of at most `step` (s).
+def exact_outer_angles(seconds):
+    """Return the outer_angles of the exact cradle, computed in steps of at most SAMPLE (s).
 
     Equal elastic bobs exchange their velocities, at the instant of their hit.
     """
@@ -40,7 +40,7 @@ def exact_outer_angles(seconds, step=SAMPLE):
     for hit in hits:
         hit.terminal = True
         hit.direction = -1
-    accuracy = {"method": "DOP853", "max_step": step, "rtol": 1e-12, "atol": 1e-12}
+    accuracy = {"method": "DOP853", "max_step": SAMPLE, "rtol": 1e-12, "atol": 1e-12}
     samples = SAMPLE * np.arange(1, round(seconds / SAMPLE) + 1)
     time, state = 0.0, np.array([THETA_INIT] + [0.0] * 9)
     pairs = []
