@@ -6,15 +6,15 @@ A wrong option ends the program with status 2 and one line.
 import argparse
 import os
 from collections.abc import Callable, Sequence
-from math import inf, isfinite, sqrt
+from math import inf, sqrt
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import NoReturn
 
 from support import constants
-from support.columns import CHECKED, to_number
+from support.columns import to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
 from support.files.data_file import EVERY
-from support.files.valid_cradle import CradleCsv
+from support.files.valid_cradle import CradleCsv, MOST_PENDULA
 from support.found import found
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.start.output import refuse
@@ -23,26 +23,10 @@ from support.start.output import refuse
 PORT_VARIABLE = "VPYTHON_HTTP_PORT"
 CLOSED_VARIABLE = "VPYTHON_NO_LAUNCH_BROWSER"
 
-
-class Range(NamedTuple):
-    """The allowed values of a constant."""
-
-    least: float
-    most: float
-    unit: str
-
-
-# An experiment has its own.
-OF_THE_CSV = "elastic", "inelastic", "e", "mass", "angle", "phi", "lift"
-
-CONSTANTS = {
-    "R_PARAM": Range(0.05, 100, "m"),
-    "G": Range(0.1, 100, "m/s^2"),
-    "DT": Range(1e-6, 1e-3, "s"),
-    "DOUBLE_DT": Range(1e-6, 1e-3, "s"),
-    "THETA_INIT": Range(-3.1416, 0, "rad"),
-    "PHI_INIT": Range(-3.1416, 3.1416, "rad"),
-}
+HTML_SECONDS = 10.0  # s
+OF_THE_CSV = ("elastic", "inelastic", "e", "mass", "angle", "phi", "lift")
+# Options that bring their own cradles, and those that they exclude.
+EXCLUDED = {"experiment": OF_THE_CSV, "html_all": (*OF_THE_CSV, "experiment")}
 
 
 class OneLineParser(argparse.ArgumentParser):
@@ -52,57 +36,52 @@ class OneLineParser(argparse.ArgumentParser):
         refuse(f"{self.prog}: error: {message} (--help shows all options)")
 
 
-def type_of(
-    convert: Callable[[str], Any], is_allowed: Callable[[str], bool], allowed: str
-) -> Callable[[str], Any]:
-    """Return a type for argparse: it converts a text if is_allowed(text).
+def number(least: float, most: float, unit: str = "") -> Callable[[str], float]:
+    """Return a type for argparse: a number from least to most."""
 
-    allowed names the allowed values.
-    """
-
-    def convert_allowed(text: str) -> Any:
-        if not is_allowed(text):
+    def convert(text: str) -> float:
+        value = to_number(text)
+        if not least <= value <= most:
+            allowed = f"a number from {least:g} to {most:g}"
+            if unit:
+                allowed += f" ({unit})"
             raise argparse.ArgumentTypeError(found(text, allowed))
-        return convert(text)
+        return value
 
-    return convert_allowed
-
-
-def number_of(column: str) -> Callable[[str], Any]:
-    """Return a type for argparse: a number that this column of the CSV may have."""
-    return type_of(float, CHECKED[column].allows, CHECKED[column].allowed())
+    return convert
 
 
-def angle_from(least: float) -> Callable[[str], Any]:
-    """Return a type for argparse: the angle (rad) of a cord.
+def whole_number(least: int, most: int) -> Callable[[str], int]:
+    """Return a type for argparse: a whole number from least to most."""
 
-    The option has its angle outwards, from least to 180 (degrees).
-    """
-    return type_of(
-        lambda text: outwards_to_angle(float(text)),
-        lambda text: least <= to_number(text) <= 180,
-        f"a number from {least} to 180 (degrees)",
-    )
+    def convert(text: str) -> int:
+        value = to_number(text)
+        if not least <= value <= most or value != int(value):
+            allowed = f"a whole number from {least} to {most}"
+            raise argparse.ArgumentTypeError(found(text, allowed))
+        return int(value)
+
+    return convert
 
 
 def require_constants() -> None:
     """Exit with status 2 and one line if a constant is out of its range."""
-    for name, (least, most, unit) in CONSTANTS.items():
-        found = getattr(constants, name)
-        is_number = isinstance(found, (int, float)) and type(found) is not bool
-        if not (is_number and least <= found <= most):
-            refuse_constant(name, f"is a number from {least:g} to {most:g} ({unit})")
+    require_constant("R_PARAM", 0.05, 100, "m")
+    require_constant("G", 0.1, 100, "m/s^2")
+    require_constant("THETA_INIT", -3.1416, 0, "rad")
+    require_constant("PHI_INIT", -3.1416, 3.1416, "rad")
     # s, in whole microseconds: with longer ticks, the energy grows quickly.
     longest = int(1e6 / 40 * sqrt(constants.R_PARAM / constants.G)) / 1e6
     for name in ("DT", "DOUBLE_DT"):
-        if getattr(constants, name) > longest:
-            refuse_constant(name, f"with this R_PARAM and G is a number up to {longest:g} (s)")
+        require_constant(name, 1e-6, min(1e-3, longest), "s, with this R_PARAM and G")
 
 
-def refuse_constant(name: str, allowed: str) -> NoReturn:
-    """Exit with status 2 and one line that names a constant, its value and the allowed values."""
-    found = getattr(constants, name)
-    refuse(f"support/constants.py, {name}: found {found!r}, allowed {allowed}")
+def require_constant(name: str, least: float, most: float, unit: str) -> None:
+    """Exit with status 2 and one line if this constant is no number from least to most."""
+    value = getattr(constants, name)
+    if not (isinstance(value, (int, float)) and least <= value <= most):
+        allowed = f"a number from {least:g} to {most:g} ({unit})"
+        refuse(f"support/constants.py, {name}: found {value!r}, allowed is {allowed}")
 
 
 def cradle_options(description: str) -> OneLineParser:
@@ -118,59 +97,43 @@ def cradle_options(description: str) -> OneLineParser:
     text = "e = 0 for all pendula: bobs stay together after a hit"
     add_kind("--inelastic", action="store_true", help=text)
     text = "one e, from 0 to 1, for all pendula (default: the CSV's)"
-    add_kind("--e", type=number_of("e"), metavar="E", help=text)
+    add_kind("--e", type=number(0, 1), metavar="E", help=text)
     text = "one mass, in kg, for all pendula (default: the CSV's)"
-    add("--mass", type=number_of("mass"), metavar="KG", help=text)
+    add("--mass", type=number(1e-300, 1e6, "kg"), metavar="KG", help=text)
     text = (
         "release angle of the lifted bobs, from 0 to 180 degrees "
         f"(default: {angle_to_outwards(THETA_INIT):g})"
     )
-    add("--angle", type=angle_from(0), metavar="DEGREES", help=text)
-    count = type_of(int, is_whole, "a whole number, 0 or more")
+    add("--angle", type=number(0, 180, "degrees"), metavar="DEGREES", help=text)
     text = "number of lifted bobs, from the left (default: 1)"
-    add("--lift", type=count, metavar="K", help=text)
+    add("--lift", type=whole_number(0, MOST_PENDULA), metavar="K", help=text)
     text = "file of an experiment, to begin with it in place of the CSV"
     add("--experiment", type=Path, metavar="FILE", help=text)
     return parser
 
 
-def seconds_up_to(most: str) -> Callable[[str], Any]:
-    """Return a type for argparse: a time (s) above 0 and up to the number in this text."""
-    return type_of(
-        float,
-        lambda text: 0 < to_number(text) <= float(most),
-        f"a number above 0 and up to {most} (s)",
-    )
-
-
-HTML_SECONDS = 10.0  # s
-FILE = type_of(str, bool, "the name of a file")
-PORT = "a whole number from 0 to 65535"
-
-
-def is_whole(text: str) -> bool:
-    """Return whether the text is a whole number, 0 or more."""
-    return text.isdecimal() and isfinite(to_number(text))
-
-
-def is_port(text: str) -> bool:
-    """Return whether the text is the number of a port."""
-    return is_whole(text) and int(text) <= 65535
-
-
 def parse(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
-    """Return the options.
-
-    --experiment and --html-all bring their own cradles: options that change the CSV's are refused.
-    """
+    """Return the options, with angles as the programs take them (rad)."""
     options = parser.parse_args(arguments)
-    for whole in ("experiment", "html_all"):
-        for name in OF_THE_CSV:
-            is_given = getattr(options, name, None) != parser.get_default(name)
-            if is_given and getattr(options, whole, None) is not None:
-                option = whole.replace("_", "-")
-                parser.error(f"argument --{option}: not allowed with argument --{name}")
+    values = vars(options)
+    for name, value in values.items():
+        # In Python 3.11, --angle=-- is an empty list.
+        if value in ([], "") and name != "csv":
+            parser.error(f"argument {flag(name)}: expected one argument")
+    for whole, names in EXCLUDED.items():
+        for name in names:
+            is_given = values.get(name) != parser.get_default(name)
+            if is_given and values.get(whole) is not None:
+                parser.error(f"argument {flag(whole)}: not allowed with argument {flag(name)}")
+    for name in ("angle", "phi"):
+        if values.get(name) is not None:
+            values[name] = outwards_to_angle(values[name])
     return options
+
+
+def flag(name: str) -> str:
+    """Return an option as you type it."""
+    return f"--{name.replace('_', '-')}"
 
 
 def page_options(description: str) -> OneLineParser:
@@ -181,9 +144,10 @@ def page_options(description: str) -> OneLineParser:
         "CSV of a motion that pale bobs show with the cradle:  "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
     )
-    add("--ghosts", type=FILE, metavar="FILE", help=text)
+    add("--ghosts", metavar="FILE", help=text)
     text = "port of the page (default: any free one)"
-    add("--port", type=type_of(int, is_port, PORT), metavar="N", help=text)
+    port = os.environ.get(PORT_VARIABLE) or "0"
+    add("--port", type=whole_number(0, 65535), metavar="N", default=port, help=text)
     text = (
         "address at which the page is served; "
         "0.0.0.0 lets other machines open it, as in a container "
@@ -195,24 +159,17 @@ def page_options(description: str) -> OneLineParser:
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     text = "write a run to FILE, one HTML page that any browser plays, and open no page"
     add_html = parser.add_mutually_exclusive_group().add_argument
-    add_html("--html", type=FILE, metavar="FILE", help=text)
+    add_html("--html", metavar="FILE", help=text)
     text = "write a run of each experiment to FOLDER, with index.html, for a course page"
-    add_html("--html-all", type=FILE, metavar="FOLDER", help=text)
+    add_html("--html-all", metavar="FOLDER", help=text)
     text = f"with --html or --html-all: the seconds of a run (default: {HTML_SECONDS:g})"
-    add("--seconds", type=seconds_up_to("600"), metavar="S", help=text)
+    add("--seconds", type=number(DT, 600, "s"), metavar="S", help=text)
     return parser
 
 
 def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
-    """Return the options of a page; without --port, VPython's variable names the port."""
+    """Return the options of a page."""
     options = parse(parser, arguments)
-    if options.port is None:
-        text = os.environ.get(PORT_VARIABLE) or "0"
-        if not is_port(text):
-            parser.error(f"argument --port: found {text!r} in {PORT_VARIABLE}, allowed is {PORT}")
-        options.port = int(text)
-    if options.html_all is not None and options.experiment is not None:
-        parser.error("argument --html-all: not allowed with argument --experiment")
     if options.seconds is not None and options.html is None and options.html_all is None:
         parser.error("argument --seconds: needs --html or --html-all")
     options.seconds = options.seconds or HTML_SECONDS
@@ -240,7 +197,7 @@ def read_double_page_options(arguments: Sequence[str] | None = None) -> argparse
         "angle of the lifted lower cords from the upper ones, outwards, from -180 to 180 degrees "
         f"(default: {angle_to_outwards(PHI_INIT):g})"
     )
-    parser.add_argument("--phi", type=angle_from(-180), metavar="DEGREES", help=text)
+    parser.add_argument("--phi", type=number(-180, 180, "degrees"), metavar="DEGREES", help=text)
     return parse_page(parser, arguments)
 
 
@@ -255,12 +212,11 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     )
     add = parser.add_argument
     text = "end after S seconds (default: until Ctrl+C)"
-    add("--seconds", type=seconds_up_to("1e6"), metavar="S", default=inf, help=text)
+    add("--seconds", type=number(DT, 1e6, "s"), metavar="S", default=inf, help=text)
     text = "write the data of --seconds S to FILE, a CSV (- prints it), as fast as the machine can"
-    add("--record", type=FILE, metavar="FILE", help=text)
-    every = type_of(float, is_in_ticks, f"a multiple of {DT} (s), one tick, up to 1e6")
-    text = f"with --record: a row for every T seconds (default: {round(EVERY / DT) * DT:g})"
-    add("--every", type=every, metavar="T", help=text)
+    add("--record", metavar="FILE", help=text)
+    text = f"with --record: a row for every T seconds, in whole ticks (default: {EVERY:g})"
+    add("--every", type=number(DT, 1e6, "s"), metavar="T", help=text)
     options = parse(parser, arguments)
     if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")
@@ -268,12 +224,6 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
         parser.error("argument --every: needs --record")
     options.every = options.every or EVERY
     return options
-
-
-def is_in_ticks(text: str) -> bool:
-    """Return whether the text is a time (s) of a whole number of ticks, at least one."""
-    ticks = to_number(text) / DT
-    return 0.5 < ticks <= 1e6 / DT and abs(ticks - round(ticks)) < 1e-6
 
 
 def require_lifted(lift: int | None, csv: CradleCsv) -> None:

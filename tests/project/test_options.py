@@ -72,9 +72,8 @@ def test_the_port_and_the_browser_may_be_in_vpythons_environment_variables(monke
     for text, port in {"": 0, "8000": 8000}.items():
         monkeypatch.setenv(options.PORT_VARIABLE, text)
         assert options.read_page_options([]).port == port
-    for text in ("9" * 5000, "web"):
-        monkeypatch.setenv(options.PORT_VARIABLE, text)
-        assert f"{text!r} in VPYTHON_HTTP_PORT," in refusal("page", [], capsys)
+    monkeypatch.setenv(options.PORT_VARIABLE, "web")
+    assert refusal("page", [], capsys).startswith("argument --port: found 'web', allowed is ")
     assert options.read_page_options(["--port", "9000"]).port == 9000
     for text, opens in {"0": True, "1": False}.items():
         monkeypatch.setenv("VPYTHON_NO_LAUNCH_BROWSER", text)
@@ -92,9 +91,9 @@ def check_refused_constant(read_options, name, ending, capsys):
 @pytest.mark.parametrize(
     ("name", "values", "allowed"),
     [
-        ("DT", [0, 1, "0.0001", float("nan")], "from 1e-06 to 0.001 (s)"),
-        ("DOUBLE_DT", [0], "from 1e-06 to 0.001 (s)"),
-        ("R_PARAM", [0, -0.2, True, 10**400], "from 0.05 to 100 (m)"),
+        ("DT", [0, 1, "0.0001", float("nan")], "from 1e-06 to 0.001 (s, with this R_PARAM and G)"),
+        ("DOUBLE_DT", [0], "from 1e-06 to 0.001 (s, with this R_PARAM and G)"),
+        ("R_PARAM", [0, -0.2, 10**400], "from 0.05 to 100 (m)"),
         ("G", [-9.81], "from 0.1 to 100 (m/s^2)"),
         ("THETA_INIT", [-45, 0.1], "from -3.1416 to 0 (rad)"),
         ("PHI_INIT", [None], "from -3.1416 to 3.1416 (rad)"),
@@ -114,7 +113,9 @@ def test_a_tick_that_is_long_beside_a_swing_is_refused(name, monkeypatch, capsys
     monkeypatch.setattr(constants, "R_PARAM", 0.05)
     monkeypatch.setattr(constants, "G", 100)
     monkeypatch.setattr(constants, name, 0.00056)
-    check_refused_constant(options.read_text_options, name, " up to 0.000559 (s)\n", capsys)
+    check_refused_constant(
+        options.read_text_options, name, " to 0.000559 (s, with this R_PARAM and G)\n", capsys
+    )
     monkeypatch.setattr(constants, name, 0.000559)
     assert options.read_text_options([]).record is None
 
@@ -137,14 +138,14 @@ def refusal(program, words, capsys):
 @pytest.mark.parametrize(
     ("program", "option", "values", "allowed"),
     [
-        ("page", "--e", ["1.1", "-0.1", "nan", "0,9"], "from 0 to 1,"),
-        ("page", "--mass", ["0", "inf", "1kg"], "from 1e-300 to 1e6 (kg)"),
+        ("page", "--e", ["1.1", "-0.1", "nan", "0,9"], "from 0 to 1"),
+        ("page", "--mass", ["0", "inf", "1kg"], "from 1e-300 to 1e+06 (kg)"),
         ("page", "--angle", ["-30", "181"], "from 0 to 180 (degrees)"),
-        ("page", "--lift", ["-1", "1.5", "²", "9" * 5000], "0 or more"),
-        ("page", "--port", ["65536", "web"], "from 0 to 65535"),
-        ("double", "--phi", ["181", "-180.5", "nan", "right"], "from -180 to 180 (degrees)"),
-        ("text", "--seconds", ["0", "inf"], "above 0 and up to 1e6 (s)"),
-        ("text", "--every", ["1e-11", str(DT / 2), str(DT * 1.5), "1e7", "nan"], f"of {DT:g} (s)"),
+        ("page", "--lift", ["-1", "1.5", "²", "9" * 5000], "from 0 to 1000"),
+        ("page", "--port", ["65536", "web", "nan"], "from 0 to 65535"),
+        ("double", "--phi", ["181", "-180.5", "right"], "from -180 to 180 (degrees)"),
+        ("text", "--seconds", ["0", "inf"], f"from {DT:g} to 1e+06 (s)"),
+        ("text", "--every", [str(DT / 2), "1e7"], f"from {DT:g} to 1e+06 (s)"),
     ],
 )
 def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
@@ -162,7 +163,9 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
         ("page", "--elast", "unrecognized arguments: --elast"),
         ("text", "--no-browser", "unrecognized arguments: --no-browser"),
-        ("text", "--record=", "argument --record: found nothing, allowed is the name of a file"),
+        ("text", "--record=", "argument --record: expected one argument"),
+        ("page", "--html-all=", "argument --html-all: expected one argument"),
+        ("text", "--angle=--", "argument --angle: "),  # in Python 3.11, it is a list
         (
             "page",
             "--experiment a.txt --e 0",
@@ -174,7 +177,11 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
             "argument --experiment: not allowed with argument --phi",
         ),
         ("page", "--html-all f --e 0", "argument --html-all: not allowed with argument --e"),
-        ("page", "--html-all f --experiment a", "argument --html-all: not allowed with argument"),
+        (
+            "page",
+            "--html-all f --experiment a",
+            "argument --html-all: not allowed with argument --experiment",
+        ),
         ("text", "--record data.csv", "argument --record: needs --seconds"),
         ("page", "--seconds 5", "argument --seconds: needs --html"),
         ("text", "--every 0.1 --seconds 5", "argument --every: needs --record"),
