@@ -115,8 +115,6 @@ class Tabs:
 
         send sends a message to it.
         """
-        if has > self.all.number:  # of an earlier program
-            has = 0
         self.tabs[socket] = Tab(send, has)
         self.tabs[socket].update(self.all)
 

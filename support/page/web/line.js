@@ -19,8 +19,6 @@ import { set, setLine, sliders } from "program";
 const SILENT_LOOKS = 4; // looks without a sign of life, after which the page says so
 const LOST_LOOKS = 10; // such looks, after which it connects again
 const FIRST_LOOKS = 60; // such looks before the first message
-const LATEST = 3000; // ms after which a command is too late
-const HOLDING = ["grab", "drag", "let_go"]; // a bob: late, they would be wrong
 
 // Relative to the page, whatever stands before it.
 const address = new URL(`ws${location.search}`, location.href);
@@ -40,14 +38,13 @@ let silence = 0; // looks without a sign of life
 let isHeard = true;
 let isReached = true; // whether the program has answered a request since it was heard last
 let isDone = document.documentElement.matches(".copy"); // whether the page wants no line any more
-let waiting = []; // commands that wait for the line, and when they were given (ms)
 let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program
 
 const isOpen = () => socket?.readyState === WebSocket.OPEN;
 
-setLine({ send: sendOrKeep, isOpen });
+setLine({ send, isOpen });
 show("ended", message => {
   if (message !== null) finish("ended");
 });
@@ -55,18 +52,12 @@ connect();
 setInterval(look, 1000);
 requestAnimationFrame(countPictures);
 
-// Return whether the program gets the command, now or in a moment.
-function sendOrKeep(command) {
-  const isHolding = HOLDING.includes(command[0]);
+// Return whether the program gets the command.
+function send(command) {
   // A bob that is let go must not stay in the air.
-  if (isOpen() && (isHeard || command[0] === "let_go")) {
-    socket.send(JSON.stringify(command));
-    return true;
-  }
-  // While the page says that the program does not answer, nothing is done later.
-  const isKept = !isHolding && (isOpen() || !one(".silence").firstChild);
-  if (isKept) waiting.push({ command, time: Date.now() });
-  return isKept;
+  const isSent = isOpen() && (isHeard || command[0] === "let_go");
+  if (isSent) socket.send(JSON.stringify(command));
+  return isSent;
 }
 
 function connect() { // the program sends what is later than the last message
@@ -125,10 +116,6 @@ function hear() {
   delay = 0;
   if (!isHeard) showAgain();
   isHeard = true;
-  const given = waiting;
-  waiting = [];
-  for (const { command, time } of given)
-    if (Date.now() - time < LATEST) sendOrKeep(command);
 }
 
 function showAgain() {
