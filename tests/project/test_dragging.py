@@ -54,14 +54,6 @@ def test_a_dragged_bob_leaves_those_that_are_not_in_its_way(before, theta, after
     assert [pend["theta"] for pend in pend_list] == pytest.approx(after)
 
 
-def test_a_bob_is_pushed_to_the_same_side_after_a_whole_turn():
-    pair, turned = hang_row(2), hang_row(2)
-    turned[1]["theta"] = -2 * pi
-    drag_pendulum(pair, 0, [0.3], R)
-    drag_pendulum(turned, 0, [0.3], R)
-    assert turned[1]["theta"] == pytest.approx(pair[1]["theta"])
-
-
 def double_row(count, phi=0.0):
     """Return double pendula R / 4 apart that move; their upper cords hang straight down."""
     return [

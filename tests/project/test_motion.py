@@ -41,12 +41,8 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(swing, kind):
 
 def test_the_summary_names_the_farthest_bobs_at_their_angle(swing):
     motion = swing().motion
-    pend_list = motion.cradle.pend_list
     assert motion.summary() == "t = 0.00 s, energy 100.0 %, bob 1 at 30 degrees left"
-    pend_list[1]["theta"] = radians(360 * 3 + 50)  # it has gone round three times
-    assert motion.summary().endswith(" %, bob 2 at 50 degrees right")
-    pend_list[2]["theta"] = radians(48)
+    _, second, third, *_ = motion.cradle.pend_list
+    second["theta"] = radians(360 * 3 + 50)  # it has gone round three times
+    third["theta"] = radians(48)
     assert motion.summary().endswith(" %, bobs 2, 3 at 50 degrees right")
-    for pend in pend_list:
-        pend["theta"] = 0.0
-    assert motion.summary().endswith(", bobs 1, 2, 3, 4, 5 at 0 degrees right")
