@@ -6,7 +6,7 @@ from math import atan2, degrees, sqrt
 import pytest
 from rig import Rig
 from vpython import diff_angle, vector
-from whole_cradles import GOOD, HEADER, PERIOD, velocities
+from whole_cradles import distances, GOOD, HEADER, PERIOD, velocities
 
 from support.constants import R_PARAM
 from support.cradle.cradle import Cradle
@@ -157,8 +157,11 @@ def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_g
         moving.add(right)
         arrows = [arrow.pos.x for arrow in visible(rig, "arrows")]
         assert arrows == [places[bob - 1] for bob in sorted(moving)]
+        assert distances(rig.cradle.pend_list[left - 1 : right])[0] <= 1  # they touch
         ticks = rig.viewer.motion.ticks  # the time holds until the last hit
-        rig.wait(EACH)
+        for _ in range(round(EACH / FRAME)):
+            rig.wait(FRAME)
+            assert rig.state["hit"] or number == 6  # one comes at once after the other
     assert rig.state["hit"] is None
     assert not visible(rig, "rings")
     assert not visible(rig, "changes")
@@ -188,6 +191,9 @@ def test_a_step_goes_on_to_the_next_of_the_slow_hits(rig):
         assert rig.state["hit"]["rows"][0][0] == f"Hit {number}"
         assert rig.state["view"]["fade"] == 1
         rig.give("step")
+    rig.mouse("grab", rig.cradle.bobs()[4].pos)
+    rig.mouse("drag", rig.cradle.axles()[4].pos + vector(1, 0, 0))
+    assert rig.state["hit"] is None
 
 
 # --- dragging --------------------------------------------------------------------------------
