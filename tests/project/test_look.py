@@ -87,6 +87,7 @@ def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(s
     tile = shared.locator(".gallery button[title='Two bobs']")
     pages.choose(shared, "Two bobs")
     wait_until(lambda: tile.get_attribute("aria-pressed") == "true")
+    assert shared.evaluate("document.activeElement === document.body")  # Space pauses
     circles = tile.locator("circle").evaluate_all("found => found.map(e => +e.getAttribute('cx'))")
     first, second, *hanging = circles
     assert first < second < 0  # to the left of the first axle

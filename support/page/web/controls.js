@@ -18,10 +18,8 @@ const makers = {
       make("output", { htmlFor: name }),
     );
   },
-  Menu({ name, label }, isUnlabelled) {
-    if (isUnlabelled) return make("select", { name, ariaLabel: label });
-    const menu = make("select", { id: name, name });
-    return make("div", { className: "menu" }, make("label", { htmlFor: name }, label), menu);
+  Menu({ name, label }) {
+    return make("select", { name, ariaLabel: label });
   },
 };
 
@@ -47,10 +45,7 @@ const fillers = {
 show("controls", controls => {
   for (const place of find("template[data-place]")) {
     const names = Object.keys(controls).filter(name => controls[name].place === place.dataset.place);
-    const isUnlabelled = place.matches(".unlabelled");
-    const elements = names.map(name => {
-      return makers[controls[name].kind]({ name, ...controls[name] }, isUnlabelled);
-    });
+    const elements = names.map(name => makers[controls[name].kind]({ name, ...controls[name] }));
     place.replaceWith(...elements);
   }
   for (const name in controls) fill(name, controls[name]);

@@ -12,7 +12,9 @@ show("pictures", pictures => {
   markTile();
 });
 one(".gallery").addEventListener("click", ({ target }) => {
-  if (target.closest("button")) one("#gallery").hidePopover();
+  if (!target.closest("button")) return;
+  one("#gallery").hidePopover();
+  one(".choose").blur(); // Space pauses now, and does not open the pictures again
 });
 show("controls", markTile);
 show("changed", markTile);
