@@ -32,16 +32,18 @@ def is_in_src(filename: str) -> bool:
 def students_frames(error: BaseException, player: str) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in src/, and below those of the player's file.
 
-    Return none if the player itself failed, which main has called.
+    Return none if the player itself failed, which main has called, or was not called yet.
     """
     if isinstance(error, MistakeError) and error.code:
         code = error.code
         return [traceback.FrameSummary(code.co_filename, code.co_firstlineno, code.co_name)]
     found: list[traceback.FrameSummary] = []
+    is_below = not player
     for frame in traceback.extract_tb(error.__traceback__):
         if frame.filename == player:
             found = []
-        elif is_in_src(frame.filename):
+            is_below = True
+        elif is_below and is_in_src(frame.filename):
             found.append(frame)
     return found
 

@@ -157,7 +157,14 @@ def test_a_terminal_shows_the_progress_of_what_takes_longer_than_two_seconds(
     assert stderr.getvalue() == (f"{quarter}\r[{'#' * 40}] 100 % \n" if shown else "")
 
 
-def test_the_program_refuses_in_one_line(main, csv):
-    status, out, err = main(csv, "--lift", "6", "--seconds", "1")
+@pytest.mark.parametrize(
+    ("option", "value", "message"),
+    [
+        ("--lift", "6", "--lift: found '6', allowed is at most 5"),
+        ("--record", "gone/swing.csv", "gone/swing.csv: No such file or directory"),
+    ],
+)
+def test_the_program_refuses_in_one_line(main, csv, option, value, message):
+    status, out, err = main(csv, option, value, "--seconds", "1")
     assert (status, out, err.count("\n")) == (2, "", 1)
-    assert err.startswith("--lift: found '6', allowed is at most 5")
+    assert err.startswith(message)
