@@ -241,9 +241,6 @@ class Cradle:
         """Return all bobs, the upper one of a pendulum before its lower one."""
         return [bob for pend in self.pend_list for bob in pend["objects"][1::2]]
 
-    def cords(self) -> list:
-        return [cord for pend in self.pend_list for cord in pend["objects"][2::2]]
-
     def colors(self) -> list[vector]:
         """Return the color of each pendulum's upper bob."""
         return [pend["objects"][1].color for pend in self.pend_list]
@@ -292,12 +289,12 @@ class Cradle:
         return sqrt(2 * sum(masses) * sum(self.energies()))
 
     def heights(self) -> list[float]:
-        """Return the height of each pendulum (m)."""
-        return [self.height(pend) for pend in self.pend_list]
-
-    def height(self, pend: Pendulum) -> float:
-        """Return the mean height (m) of a pendulum's bobs above hanging at rest."""
-        return sum(motion.height for motion in bob_motions(pend, R_PARAM)) / self.cord_count
+        """Return the mean height (m) of each pendulum's bobs above hanging at rest."""
+        heights = []
+        for pend in self.pend_list:
+            total = sum(motion.height for motion in bob_motions(pend, R_PARAM))
+            heights.append(total / self.cord_count)
+        return heights
 
     def whole_mass(self, pend: Pendulum) -> float:
         """Return the mass (kg) of all bobs of a pendulum."""
