@@ -29,7 +29,6 @@ class Cradle:
 
     title = "Newton's cradle"
     kind = "single"  # the name of the folder with its experiments
-    page_program = "src/visualize_cradle_run.py"
     theta_bob = "bob"  # what a sentence calls the one at the end of the cord with theta
     dt = DT  # s
     cord_count = 1  # of a pendulum; each cord has one bob

@@ -15,7 +15,6 @@ class DoubleCradle(Cradle):
 
     title = "Newton's double cradle"
     kind = "double"
-    page_program = "src/visualize_double_cradle_run.py"
     theta_bob = "upper bob"
     dt = DOUBLE_DT
     cord_count = 2

@@ -33,14 +33,6 @@ def import_later(name: str) -> None:
         sys.modules[name] = DeferredModule(spec)
 
 
-def put_main_into(package: str) -> None:
-    """Let the started file be a module of this package.
-
-    So `from .swinging import ...` works in it, too.
-    """
-    sys.modules["__main__"].__package__ = package
-
-
 def import_now(name: str) -> None:
     """Import a module for which import_later has let the program wait."""
     if isinstance(sys.modules.get(name), DeferredModule):

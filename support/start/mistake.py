@@ -7,6 +7,7 @@ from numbers import Real
 from pathlib import Path
 from typing import Any
 
+from support.found import in_short
 from support.root import ROOT, SRC
 
 LARGEST_NUMBER = 1e100  # a larger number has no energy: its square is too large
@@ -57,12 +58,11 @@ def report_mistake(error: BaseException, player: str = "") -> str:
     frames = students_frames(error, player)
     report = traceback.TracebackException.from_exception(error)
     report.stack[:] = frames or report.stack
+    text = "".join(report.format())
+    message = " ".join("".join(report.format_exception_only()).split())
     if isinstance(error, MistakeError):
         message = str(error)
-        text = "".join(report.stack.format()) + f"{message}\n"
-    else:
-        message = " ".join("".join(report.format_exception_only()).split())
-        text = "".join(report.format())
+        text = "".join([*report.stack.format(), message, "\n"])
     if frames:
         text += f"{TYPE_PYTEST}\n"
     print(text, file=sys.stderr, end="")
@@ -110,14 +110,8 @@ def require_list(make: Callable, pend_list: Any, must: str) -> None:
 
     must says what the function make must do.
     """
-    if is_pend_list(pend_list) and pend_list:
-        return
-    found = f"a {type(pend_list).__name__}."
-    if pend_list == []:
-        found = "an empty list."
-    elif pend_list is None:
-        found = "None. Is a return missing?"
-    raise MistakeError(make, f"must {must} {found}")
+    if not pend_list or not is_pend_list(pend_list):
+        raise MistakeError(make, f"must {must} {in_short(repr(pend_list))}.")
 
 
 def is_pend_list(value: Any) -> bool:

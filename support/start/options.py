@@ -5,7 +5,7 @@ A wrong option ends the program with status 2 and one line.
 
 import argparse
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from math import inf, sqrt
 from pathlib import Path
 from typing import NoReturn
@@ -112,9 +112,9 @@ def cradle_options(description: str) -> OneLineParser:
     return parser
 
 
-def parse(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
+def parse(parser: OneLineParser) -> argparse.Namespace:
     """Return the options, with angles as the programs take them (rad)."""
-    options = parser.parse_args(arguments)
+    options = parser.parse_args()
     values = vars(options)
     for name, value in values.items():
         # In Python 3.11, --angle=-- is an empty list.
@@ -167,27 +167,27 @@ def page_options(description: str) -> OneLineParser:
     return parser
 
 
-def parse_page(parser: OneLineParser, arguments: Sequence[str] | None) -> argparse.Namespace:
+def parse_page(parser: OneLineParser) -> argparse.Namespace:
     """Return the options of a page."""
-    options = parse(parser, arguments)
+    options = parse(parser)
     if options.seconds is not None and options.html is None and options.html_all is None:
         parser.error("argument --seconds: needs --html or --html-all")
     options.seconds = options.seconds or HTML_SECONDS
     return options
 
 
-def read_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
-    """Return the options of the page, from the command line or from arguments.
+def read_page_options() -> argparse.Namespace:
+    """Return the options of the page, from the command line.
 
     They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, seconds, and
     the paths experiment, ghosts, html and html_all. None for e or mass keeps the values of the CSV.
     None for angle or lift keeps the values with which main makes the cradle. None is no such file.
     """
     parser = page_options("Newton's cradle in the browser, to play with.")
-    return parse_page(parser, arguments)
+    return parse_page(parser)
 
 
-def read_double_page_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+def read_double_page_options() -> argparse.Namespace:
     """Return the options of the double cradle's page.
 
     They are those of read_page_options, and phi (rad, or None like angle).
@@ -198,10 +198,10 @@ def read_double_page_options(arguments: Sequence[str] | None = None) -> argparse
         f"(default: {angle_to_outwards(PHI_INIT):g})"
     )
     parser.add_argument("--phi", type=number(-180, 180, "degrees"), metavar="DEGREES", help=text)
-    return parse_page(parser, arguments)
+    return parse_page(parser)
 
 
-def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namespace:
+def read_text_options() -> argparse.Namespace:
     """Return the options of the cradle in the terminal.
 
     They are those of the cradle, seconds (inf if missing), record (a path, - for the output, or
@@ -217,7 +217,7 @@ def read_text_options(arguments: Sequence[str] | None = None) -> argparse.Namesp
     add("--record", metavar="FILE", help=text)
     text = f"with --record: a row for every T seconds, in whole ticks (default: {EVERY:g})"
     add("--every", type=number(DT, 1e6, "s"), metavar="T", help=text)
-    options = parse(parser, arguments)
+    options = parse(parser)
     if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")
     if options.every is not None and options.record is None:

@@ -27,7 +27,6 @@ def begin() -> None:
 
     if not end.is_in_session():  # a session keeps its own signals if an import fails
         end.on_signals(end.end)
-    early.put_main_into("src")
     early.import_later("pandas")  # it takes longest: the page imports it while the browser loads
 
 

@@ -11,9 +11,9 @@ from unittest.mock import Mock
 
 import pytest
 from pages import axle
-from programs import call, copy_project, on_posix, python, ROOT, with_vpython
+from programs import call, copy_project, python, ROOT, with_vpython
 from students import put_files
-from whole_cradles import FIVE_CSV, go_on
+from whole_cradles import go_on
 
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
@@ -29,35 +29,26 @@ PAGES = "src/visualize_cradle_run", "src/visualize_double_cradle_run"
 
 
 @pytest.mark.parametrize(
-    ("program", "way"),
+    ("program", "hidden"),
     [
-        ("pds_tester", "file"),
-        (TEXT, "file"),
-        pytest.param(TEXT, "link", marks=on_posix),
-        pytest.param(PAGES[0], "file", marks=with_vpython),
-        pytest.param(PAGES[1], "file", marks=with_vpython),
+        ("pds_tester", "vpython"),
+        (TEXT, "vpython"),
+        pytest.param(PAGES[0], "pandas", marks=with_vpython),
+        pytest.param(PAGES[1], "pandas", marks=with_vpython),
     ],
 )
 def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line(
-    tmp_path, program, way
+    tmp_path, program, hidden
 ):
     """It needs no VPython, or it has a page and no pandas so early.
-
-    An old copy of the project does not get in.
 
     VPython's server does not start so early either: it would wait for a browser.
     """
     project = copy_project(tmp_path / "100% ü #1", "")
-    hidden = "pandas.py" if program in PAGES else "vpython.py"
-    hiding = dict.fromkeys([hidden, "src/__init__.py", "support/__init__.py"], "raise ImportError")
-    put_files(tmp_path / "hiding", hiding)
-    file = project / f"{program}.py"
+    folder = put_files(tmp_path / "hiding", {f"{hidden}.py": "raise ImportError"})
     link = tmp_path / "link"
-    if way == "link":
-        link.symlink_to(file)
-    done = python(
-        link if way == "link" else file, folder=os.sep, PYTHONPATH=str(tmp_path / "hiding")
-    )
+    link.symlink_to(project)
+    done = python(link / f"{program}.py", folder=os.sep, PYTHONPATH=str(folder))
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert done.stderr.startswith(f"{project / 'newton_cradle_pends.csv'}: is empty, ")
 
@@ -82,29 +73,18 @@ def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
     assert dist(last, axle(4)) == pytest.approx(R_PARAM, abs=0.002)
 
 
-# It has no pairwise, for one
-OLD = "import itertools, sys; del itertools.pairwise; sys.version_info = (3, 9, 6)"
 OTHER = """
 import pkg_resources
 pkg_resources.get_distribution = lambda name: pkg_resources.Distribution(version='7.6.4')
+import begin_page
 """
 
 
-@pytest.mark.parametrize(
-    ("obstacle", "last_line"),
-    [
-        (OLD, r"Newton's cradle needs Python 3\.11 or later; .* is 3\..*\."),
-        pytest.param(
-            OTHER, ".*the page needs another VPython than 7.6.4 in .*", marks=with_vpython
-        ),
-    ],
-)
-def test_another_python_and_another_vpython_are_named(obstacle, last_line):
-    program = str(ROOT / "src" / "visualize_cradle_run.py")
-    run = f"import runpy; runpy.run_path({program!r}, run_name='__main__')"
-    done = python("-W", "ignore", "-c", f"{obstacle}\n{run}", PYTHONPATH=str(ROOT / "src"))
-    assert (done.returncode, done.stdout) == (1, "")
-    assert re.fullmatch(last_line, done.stderr.splitlines()[-1])
+@with_vpython
+def test_another_vpython_is_named():
+    done = python("-W", "ignore", "-c", OTHER, PYTHONPATH=str(ROOT / "src"))
+    assert done.returncode == 1
+    assert "the page needs another VPython than 7.6.4 in " in done.stderr.splitlines()[-1]
 
 
 def test_ctrl_c_at_the_imports_of_a_program_prints_nothing():
@@ -136,17 +116,6 @@ def test_a_program_with_a_page_draws_shapes_and_refuses_all_for_which_vpython_wo
     code = DRAWN.format(refused=repr(REFUSED))
     done = python("-W", "ignore", "-c", code, PYTHONPATH=str(ROOT / "src"))
     assert (done.returncode, done.stdout.split(), done.stderr) == (0, REFUSED.split(), "")
-
-
-def test_a_started_file_may_import_its_neighbours_with_a_point(tmp_path):
-    """As it may when pytest imports it."""
-    folder = copy_project(tmp_path, FIVE_CSV)
-    for file in (folder / "src").glob("*_run.py"):
-        file.write_text(
-            file.read_text().replace("from src.", "from .").replace("from .text", "from src.text")
-        )
-    done = python("src/text_cradle_run.py", "--seconds", 0.01, folder=folder)
-    assert (done.returncode, done.stderr) == (0, "")
 
 
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):

@@ -14,6 +14,7 @@ from programs import call, on_posix, ROOT
 
 from support.start import end
 from support.start.early import import_later, import_now
+from support.start.program import require_python
 
 
 def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
@@ -35,9 +36,12 @@ def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
     assert "no_such_module" not in sys.modules
 
 
-@pytest.mark.parametrize("file", ["src/begin.py", "support/start/program.py"])
-def test_an_older_python_compiles_the_files_that_refuse_it(file):
-    ast.parse((ROOT / file).read_text(), feature_version=(3, 6))
+def test_an_older_python_is_named_and_compiles_the_files_that_do_so(monkeypatch):
+    for file in ("src/begin.py", "support/start/program.py"):
+        ast.parse((ROOT / file).read_text(), feature_version=(3, 6))
+    monkeypatch.setattr(sys, "version_info", (3, 10, 14))
+    with pytest.raises(SystemExit, match=r"^Newton's cradle needs Python 3\.11 or later; .* is 3"):
+        require_python()
 
 
 @pytest.mark.parametrize(
