@@ -54,6 +54,8 @@ def main() -> None:
         if options.record:
             sys.exit("The recording ended too early.")
         raise
+    except BrokenPipeError:  # maybe of a student's print
+        raise
     except (Exception, SystemExit) as error:
         if isinstance(error, OSError) and not students_frames(error, PLAYER_FILE):
             raise  # ended_quietly names the file

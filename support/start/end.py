@@ -52,7 +52,7 @@ def ended_quietly() -> Iterator[None]:
         sys.stdout.reconfigure(errors="replace")
     try:
         yield
-        sys.stdout.flush()  # here: at the end of Python, an error would be a traceback
+        print(end="", flush=True)  # here: at the end of Python, an error would be a traceback
     except BrokenPipeError:
         # Python would try again at its end
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
