@@ -1,6 +1,5 @@
 """The start of the browser, and of a program again and again in a session."""
 
-import os
 import signal
 import sys
 from itertools import takewhile
@@ -33,14 +32,12 @@ print(mode, address, web.urlopen(address).status, *sys.argv[1:], file=open("{vis
 def test_a_browser_gets_a_file_that_leads_on(program, tmp_path, until, status):
     """All users of a machine can read a command; only you the file.
 
-    It goes with the first tab, or with the program; or with the next start, if it is old.
+    It goes with the first tab, or with the program.
     """
     folder = tmp_path / "100% ü #1"
-    left = folder / f"{browser_start.FOLDER}of a program that was killed"
     visited = tmp_path / "visited"
     browser = tmp_path / "browser"
-    left.mkdir(parents=True)
-    os.utime(left, (0, 0))
+    folder.mkdir()
     browser.write_text(BROWSER.format(python=sys.executable, visited=visited))
     browser.chmod(0o755)
     end_soon(program)

@@ -1,7 +1,6 @@
 """What a page needs a program of its own for: its first picture, what disturbs it, its end."""
 
 import time
-from collections import deque
 
 import pages
 import programs
@@ -17,7 +16,7 @@ from pages import (
     wait_for_moves,
 )
 from programs import wait_until
-from whole_cradles import FIVE_CSV, GOOD, HEADER
+from whole_cradles import FIVE_CSV
 
 from support.constants import R_PARAM
 
@@ -143,41 +142,3 @@ def test_a_page_that_is_left_goes_on_when_back_shows_it_again(page, started):
     assert page.evaluate("isKept")
     page.close()
     assert programs.end(started) == (0, "The page is back.\n", "")
-
-
-# The time on the wall (s) minus the simulated one, at each change of the readout in a second; and
-# when it was read.
-LATENESS = """async () => {
-    const text = () => document.querySelector(".readout").innerText;
-    const late = [], start = performance.now();
-    let before = text();
-    while (performance.now() - start < 1000) {
-        await new Promise(requestAnimationFrame);
-        if (text() === before) continue;
-        before = text();
-        late.push(performance.now() / 1000 - before.match(/t\\s+([0-9.]+) s/)[1]);
-    }
-    return [start / 1000, before.includes("x real time") ? Infinity : Math.min(...late)];
-}"""
-
-
-@pytest.mark.clock
-def test_simulated_time_keeps_step_with_the_wall(page, program):
-    """Within 0.05 s in 6 s, with one bob: its ticks take little time.
-
-    A busy machine brings a reading to the page late, and none early: the test takes the least late
-    one of each second. It leaves out seconds in which the program reports that the machine was too
-    busy (0.6x real time).
-    """
-    (program.parents[1] / "newton_cradle_pends.csv").write_text(HEADER + GOOD)
-    readings = deque(maxlen=8)
-
-    def has_kept_step():
-        readings.append(page.evaluate(LATENESS))
-        (start, before), (now, after) = readings[0], readings[-1]
-        return now - start > 6 and abs(after - before) < 0.05
-
-    with programs.running(program) as process:
-        open_cradle(page, programs.first_lines(process), bobs=1)
-        # A busy machine seldom has seven seconds without a stall
-        wait_until(has_kept_step, 3 * programs.SECONDS)

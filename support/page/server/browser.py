@@ -4,15 +4,12 @@ import platform
 import shutil
 import tempfile
 import threading
-import time
 import webbrowser
 from contextlib import suppress
 from pathlib import Path
 
 # Browsers without a canvas.
 TEXT_BROWSERS = {"www-browser", "links", "links2", "elinks", "lynx", "w3m"}
-FOLDER = "open-cradle-"  # how the name of a folder for the file begins
-READ = 60.0  # s after which a browser has read the file
 
 
 class BrowserStart:
@@ -42,15 +39,10 @@ class BrowserStart:
         """Make the file that leads to this address, and return its own; raises an OSError.
 
         It is in a folder of its own, which only you can enter: among the temporary files, or in
-        your home folder, as a browser from a snap cannot read those. Folders that programs have
-        left there, which were ended too suddenly, are deleted.
+        your home folder, as a browser from a snap cannot read those.
         """
-        place = Path.home() if Path("/snap").exists() else Path(tempfile.gettempdir())
-        for old in place.glob(f"{FOLDER}*"):
-            with suppress(OSError):
-                if time.time() - old.stat().st_mtime > READ:
-                    shutil.rmtree(old)
-        self.folder = Path(tempfile.mkdtemp(prefix=FOLDER, dir=place))
+        place = Path.home() if Path("/snap").exists() else None
+        self.folder = Path(tempfile.mkdtemp(prefix="open-cradle-", dir=place))
         file = self.folder / "open.html"
         file.write_text(f'<meta http-equiv="refresh" content="0; url={address}">')
         return file.as_uri()
