@@ -121,7 +121,9 @@ def visible_ghosts(rig):
 
 
 # The x of each ghost
-GHOSTS = "glowObjs.filter(o => isSphere(o) && o.visible && !o.pickable).map(o => o.pos.x)"
+GHOSTS = (
+    "glowObjs.filter(o => kindOf(o) === 'sphere' && o.visible && !o.pickable).map(o => o.pos.x)"
+)
 
 
 def test_a_file_is_chosen_on_the_page_and_its_ghosts_are_removed(shared):
