@@ -42,8 +42,7 @@ class Snapshot:
         try:
             size = Path(filepath).stat().st_size if data is None else len(data)
             if size > LARGEST_FILE:
-                most = f"{LARGEST_FILE // 10**6} MB"
-                self.error = f"found more than {most}, allowed are at most {most}"
+                self.error = f"it has more than {LARGEST_FILE // 10**6} MB"
             elif data is None:
                 self.data = Path(filepath).read_bytes()
         except OSError as error:

@@ -1,6 +1,5 @@
 """Read experiments: each is a text file with lines such as `name = One bob`."""
 
-import io
 import re
 from collections.abc import Callable
 from itertools import accumulate, cycle, islice
@@ -131,12 +130,12 @@ class ExperimentText:
         self.file = file
         self.texts: dict[str, str] = {}  # by the name, or the answer, before the =
         name = ""
-        for number, line in enumerate(io.StringIO(Snapshot(file).text(), newline=None), start=1):
+        for number, line in enumerate(Snapshot(file).text().splitlines(), start=1):
             is_note = re.match(r"\s*(#|$)", line)  # or a blank line
             if is_note:
                 continue
             if name and line[0].isspace():  # it goes on with the line above
-                self.texts[name] += line
+                self.texts[name] += f" {line}"
                 continue
             # An answer can have a =, too
             split = line.rpartition if line[0] in "-*" else line.partition

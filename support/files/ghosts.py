@@ -8,7 +8,7 @@ theta = -41.5 degrees. An empty cell, or NaN, stands for a moment at which the b
 
 import re
 from collections.abc import Sequence
-from itertools import accumulate, pairwise, takewhile
+from itertools import accumulate, takewhile
 from math import degrees, isfinite, nan, radians, remainder, sqrt, tau
 from pathlib import Path
 from typing import NamedTuple
@@ -154,24 +154,22 @@ def tracks_in(file: Snapshot, keys: Sequence[str], release: float) -> dict[str, 
     header, *rows = file.rows()
     columns = columns_in(header.cells, keys)
     numbers: dict[str, list[float]] = {name: [] for name in columns}
+    times = numbers["t"]
     for row in rows:
         for name, column in columns.items():
             text = row.cells[column.place]
-            number = to_number(text)
-            may_be_missing = name != "t" and text.lower() in ("", "nan")
-            if not isfinite(number) and not may_be_missing:
-                allowed = "a time (s)" if name == "t" else "a number, or nothing"
+            number = to_number(text) * column.unit
+            if name == "t":
+                allowed = "a time (s), after that of the row above"
+                is_allowed = isfinite(number) and (not times or number > times[-1])
+            else:
+                allowed = "a number, or nothing"
+                is_allowed = isfinite(number) or text.lower() in ("", "nan")
+            if not is_allowed:
                 place = f"{file}, line {row.line}, column {header.cells[column.place]}"
                 raise ValueError(f"{place}: {found(text, allowed)}")
-            numbers[name].append(number * column.unit)
-    times = numbers.pop("t")
-    for (row, time), (next_row, next_time) in pairwise(zip(rows, times, strict=True)):
-        if next_time <= time:
-            raise ValueError(
-                f"{file}, line {next_row.line}: found t = {next_time:.15g} s after {time:.15g} s "
-                f"in line {row.line}, allowed are times that grow from line to line; "
-                "of two runs in a file, keep one"
-            )
+            numbers[name].append(number)
+    del numbers["t"]
     tracks = {}
     for name, angles in numbers.items():
         known = np.isfinite(angles)

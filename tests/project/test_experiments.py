@@ -12,7 +12,7 @@ from support.files.experiments import read_experiment, read_experiments
 TEXT = """\
 name = Two bobs
 theta = -45 -45 0 0 0
-question = What\x0cleaves
+question = What leaves
     # It is a comment.
     on the other side?
 why = {speed_5} m/s after {before_1} m/s, {swing_5} degrees, {energy} %
