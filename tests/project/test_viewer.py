@@ -176,10 +176,3 @@ def test_the_readout(rig, omega, text):
     }
     rig.give("lifted", 0)
     assert rig.state["motion"]["energy"] == "0.0 %"
-
-
-def test_a_restart_releases_the_cradle_again(rig):
-    rig.wait(0.1)
-    rig.give("restart")
-    assert rig.time() == 0
-    assert rig.bob_angles() == [30, 0, 0, 0, 0]
