@@ -1,9 +1,10 @@
 """A stand-in for VPython that needs no VPython and no browser.
 
 After `import support.headless_vpython`, `import vpython` finds this module. It has the names of
-VPython 7.6.5. Vectors and the shapes of a pendulum compute as VPython's do; the project's tests
-compare the two. Two differences: `axis` and `up` do not turn each other, and `size` is a copy. The
-rest of VPython is only for show: here nothing is shown, and nothing waits.
+VPython 7.6.5. Vectors and the shapes of a pendulum have what a cradle needs, and compute as
+VPython's do; the project's tests compare the two. Differences: `axis` and `up` do not turn each
+other, `size` is a copy, and a round shape takes its radius in place of a size. The rest of VPython
+is only for show: here nothing is shown, and nothing waits.
 """
 
 # ruff: noqa: F401  VPython exports all these names
@@ -48,6 +49,10 @@ class vector:
     @property
     def mag(self) -> float:
         return sqrt(self.mag2)
+
+    @mag.setter
+    def mag(self, length: float) -> None:
+        self.x, self.y, self.z = (self.hat * length).value
 
     def norm(self) -> "vector":
         length = self.mag
@@ -203,7 +208,7 @@ class Shape:
 
     @length.setter
     def length(self, value: float) -> None:
-        self.axis = self.axis.hat * value
+        self.axis.mag = value
 
     @property
     def size(self) -> vector:

@@ -18,7 +18,7 @@ sorted(name for name in globals() if name[0] != "_")
 [mag(v), mag2(v), v.mag, v.mag2, hat(v), norm(v), v.hat, v.norm(), vector(0, 0, 0).hat]
 [dot(v, w), cross(v, w), v.cross(w), comp(v, w), proj(v, w), v.proj(w)]
 [diff_angle(v, w), v.diff_angle(-2 * v), rotate(v, 0.3), v.rotate(angle=0.3, axis=w)]
-v.x = 5; v.y += 1; v
+v.x = 5; v.y += 1; w.mag = 7; [v, w]
 [sin(0.3) + sqrt(pi), sign(-2.5), sign(0), sign(7), combin(5, 2), [*map(float, arange(0, 1, 0.4))]]
 [color.orange, color.gray(0.5), color.hsv_to_rgb(v / 4), textures.wood_old]
 [[t.pos, t.axis, t.up, t.size, t.color, t.texture, t.shininess, t.opacity] for t in (b, s)]
@@ -33,11 +33,8 @@ vector(1, 2)
 vector(None, 0, 0)
 v * v
 v + 1
-1 / v
-hash(v)
 sphere(pos=(1, 2, 3))
 s.pos = (1, 2); s
-c.axis = None; c
 sphere(1)
 b.radius
 s.radus

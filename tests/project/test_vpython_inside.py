@@ -15,7 +15,6 @@ IN_GLOW = [
     ".color.parse=",
     "__update:function(ev)",
     "__canvas_element=",
-    "__overlay_element=",
     "window.__context",
     "window.Jupyter_VPython",
     "glowscript-canvas-wrapper",
