@@ -25,42 +25,29 @@ class Attendance:
         """Wait for the first page as long as it takes; call arrived() when a page is there."""
         self.arrived = arrived
         self.rests: dict[str, float] = {LOADS: inf}  # s, by the names of the pages
-        # The shortest rest (s) of each page that has said goodbye before its websocket ended
-        self.goodbyes: dict[str, float] = {}
         self.absence = 0.0  # s since the last page has gone
         self.is_missed = False  # whether the terminal says so
 
     def expect_one_that_loads(self) -> None:
         """Expect a page that has been asked for."""
-        self.expect(LOADS, LOADING)
-
-    def expect(self, page_name: str, seconds: float) -> None:
-        """Expect the page with this name for so long from now on, at least."""
-        self.rests[page_name] = max(self.rests.get(page_name, 0.0), seconds)
+        self.rests[LOADS] = max(self.rests.get(LOADS, 0.0), LOADING)
 
     def welcome(self, page_name: str, was: str) -> None:
         """Hear that a page has its websocket: its name, and the one that it had before a reload."""
         for name in (LOADS, page_name, was):
             self.rests.pop(name, None)
-        self.goodbyes.pop(page_name, None)
         if self.is_missed:
             print("The page is back.", flush=True)
         self.is_missed = False
         self.absence = 0.0
         self.arrived()
 
-    def hear_goodbye(self, page_name: str, seconds: float) -> None:
-        """Hear a goodbye of a page; expect it back for no longer than this.
-
-        Its websocket may have ended already, or not.
-        """
-        self.goodbyes[page_name] = min(self.goodbyes.get(page_name, LOST), seconds)
-        if page_name in self.rests:
-            self.rests[page_name] = min(self.rests[page_name], seconds)
-
     def lose(self, page_name: str, seconds: float) -> None:
-        """Hear that the websocket of a page has ended; a goodbye can make its rest shorter."""
-        self.expect(page_name, min(seconds, self.goodbyes.pop(page_name, LOST)))
+        """Hear a goodbye of a page, or that its websocket has ended, one after the other.
+
+        Expect it back for no longer than this.
+        """
+        self.rests[page_name] = min(self.rests.get(page_name, LOST), seconds)
 
     def look(self, present: Collection) -> bool:
         """Look at which pages are present; return whether one is, or may still come."""

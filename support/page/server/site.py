@@ -104,7 +104,7 @@ class Site:
         if name == "alive":
             return HttpResponse("200 OK", content=b"alive")
         if name in GOODBYES:
-            self.attendance.hear_goodbye(parameters["page"][0], GOODBYES[name])
+            self.attendance.lose(parameters["page"][0], GOODBYES[name])
             return HttpResponse("200 OK")
         self.attendance.expect_one_that_loads()
         return HttpResponse("200 OK", ".html", page_with(self.texts))
