@@ -27,7 +27,7 @@ import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles
 from pages import ARGUMENTS, BOBS, CHROMIUM, draw, GIVE_NAMES, open_cradle, readout
 from programs import first_lines, PROGRAM, running
-from whole_cradles import do_at_once, GOOD, HEADER, make_row
+from whole_cradles import advance, GOOD, HEADER, make_row
 
 from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
@@ -38,21 +38,20 @@ from support.start.options import OneLineParser
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
 
-def by_single_ticks(pend_list, seconds, dt) -> None:
-    """Advance the cradle by newton_cradle_tick."""
-    for _ in range(round(seconds / dt)):
-        newton_cradle_tick(pend_list, R_PARAM, dt, G, approaching_only=True)
-
-
-def by_the_fast_path(pend_list, seconds, dt) -> list[float]:
-    """Advance the cradle by many_ticks; return its thetas (rad)."""
-    do_at_once(pend_list, R_PARAM, dt, G, round(seconds / dt), approaching_only=True)
-    return [pend["theta"] for pend in pend_list]
-
-
-def our_cradle(dt, count=5, move=by_the_fast_path):
+def our_cradle(dt, count=5):
     """Return a function that moves elastic pendula on by seconds, in ticks of dt (s)."""
-    return partial(move, make_row(count, THETA_INIT), dt=dt)
+    return partial(advance, make_row(count, THETA_INIT), dt=dt)
+
+
+def slow_cradle(count):
+    """The same in single ticks of DT."""
+    pend_list = make_row(count, THETA_INIT)
+
+    def move(seconds):
+        for _ in range(round(seconds / DT)):
+            newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
+
+    return move
 
 
 def pymunk_cradle(dt, corrected):
@@ -114,8 +113,8 @@ def ticks(counts=(5, 500), swings=1_000_000) -> None:
     for count in counts:
         many = swings // count  # ticks
         few = many // 20
-        single = cpu_time(partial(our_cradle, DT, count, by_single_ticks), few * DT) / few
         fast = cpu_time(partial(our_cradle, DT, count), many * DT) / many
+        single = cpu_time(partial(slow_cradle, count), few * DT) / few
         rows.append([count, f"{1 / single:,.0f}", f"{1 / fast:,.0f}", f"{single / fast:.1f}"])
     show("Ticks a second", ["pendula", "newton_cradle_tick", "many_ticks", "times"], rows)
 
@@ -140,13 +139,14 @@ def draw_errors(rows, file) -> None:
     from matplotlib import pyplot
 
     figure, axes = pyplot.subplots(figsize=(8, 4.5), layout="constrained")
-    for engine, mark, place in zip(ENGINES, "os^", [(-32, -12), (6, 4), (6, 4)], strict=True):
-        points = [row for row in rows if row[0] == engine]
-        _, steps, spent, off = zip(*points, strict=True)
-        times, angles = [float(text) for text in spent], [float(text) for text in off]
-        axes.loglog(times, angles, marker=mark, label=engine)
-        for step, point in zip(steps, zip(times, angles, strict=True), strict=True):
-            axes.annotate(f"{step} ms", point, xytext=place, textcoords="offset points", fontsize=8)
+    for engine in ENGINES:
+        times, angles = [], []
+        for name, step, spent, off in rows:
+            if name == engine:
+                times.append(float(spent))
+                angles.append(float(off))
+                axes.annotate(f" {step} ms", (times[-1], angles[-1]), fontsize=8)
+        axes.loglog(times, angles, marker="o", label=engine)
     axes.margins(x=0.1)
     axes.set(xlabel="processor time for 20 s (s)", ylabel="the outer bobs are off by (degrees)")
     axes.xaxis.set_major_formatter("{x:g}")
@@ -158,7 +158,7 @@ def draw_errors(rows, file) -> None:
 @contextmanager
 def new_tab(browser):
     """Yield a new tab whose names the tests can use."""
-    with browser.new_page(viewport={"width": 1366, "height": 768}) as page:
+    with browser.new_page() as page:
         page.add_init_script(GIVE_NAMES)
         yield page
 

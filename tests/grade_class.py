@@ -17,7 +17,7 @@ if __name__ == "__main__":
 
 import grading.begin  # noqa: F401
 
-from support.start.end import ended_quietly, on_signals, STATUSES
+from support.start.end import ended_quietly, on_signals
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, progress_bar
 from teacher.containers import find_engine
@@ -32,7 +32,7 @@ LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
 def main() -> None:
     """Grade the class. The status is 2 if an argument is wrong or a file cannot be written.
 
-    It is 130 after Ctrl+C, and 128 and its number after another signal.
+    After Ctrl+C, and another signal, it is 128 and the signal's number.
     """
     options, submitted, others = read_options()
     for folder in filter(None, (options.out, options.gradescope)):
@@ -41,7 +41,7 @@ def main() -> None:
     status = []
 
     def stop(number, _):
-        status.append(STATUSES[number] or 130)
+        status.append(128 + number)
         stopped.set()
 
     on_signals(stop)
@@ -52,13 +52,16 @@ def main() -> None:
         runner = Here(folder) if options.here else find_engine(folder, starter, stopped)
         try:
             Grading(submitted, starter, runner, report, stopped).grade_all()
+        except OSError:
+            if not status:  # or what was ended fails
+                raise
         finally:
             if report.rows:  # or an older table stays
                 report.write()
                 print(*report.summary(len(submitted)), sep="\n")
     if others:
         print(f"No submissions: {in_one_line(', '.join(others))}")
-    sys.exit(*status)
+    sys.exit(*status[:1])
 
 
 def read_options():
@@ -146,18 +149,10 @@ class Grading:
     def grade_all(self) -> None:
         """Grade all students, one on each core; then those that are unsure again, each alone."""
         with ThreadPoolExecutor(self.runner.cores) as workers, progress_bar() as self.progress:
-            self.finish([workers.submit(self.open)])
+            self.finish([workers.submit(self.runner.open)])
             self.finish([workers.submit(self.grade, student) for student in self.submitted])
             for student in sorted(self.unsure):
                 self.finish([workers.submit(self.grade, student, is_last=True)])
-
-    def open(self) -> None:
-        """Open the runner; if the class is stopped, this may fail."""
-        try:
-            self.runner.open()
-        except OSError:
-            if not self.stopped.is_set():
-                raise
 
     def finish(self, futures) -> None:
         """Wait for the work of other threads; raise the error that one of them raises.
