@@ -18,9 +18,8 @@ class DeferredModule(ModuleType):
         self.__spec__ = spec  # Python asks for it, and must not import the module for that
 
     def __getattr__(self, name: str) -> Any:
-        if sys.modules.get(self.__name__) is self:
-            del sys.modules[self.__name__]
-        return getattr(import_module(self.__name__), name)
+        import_now(self.__name__)
+        return getattr(sys.modules[self.__name__], name)
 
 
 def import_later(name: str) -> None:
@@ -34,7 +33,13 @@ def import_later(name: str) -> None:
 
 
 def import_now(name: str) -> None:
-    """Import a module for which import_later has let the program wait."""
+    """Import a module for which import_later has let the program wait.
+
+    Another thread imports it: Python could lose the error of a signal there.
+    """
     if isinstance(sys.modules.get(name), DeferredModule):
+        from concurrent.futures import ThreadPoolExecutor  # not earlier: it is slow
+
         del sys.modules[name]
-        import_module(name)
+        with ThreadPoolExecutor(1) as worker:
+            worker.submit(import_module, name).result()

@@ -32,6 +32,11 @@ def on_signals(handle: Callable[[int, Any], object]) -> dict[int, Any]:
     return before
 
 
+def exit_at_once(number: int, _: object) -> NoReturn:
+    """End the process, as while it imports modules: Python could lose an error there."""
+    os._exit(STATUSES[number])
+
+
 def end(number: int, _: object) -> NoReturn:
     """Raise a SignalError. The next signal ends the process, also where code catches this one."""
     for other in STATUSES:

@@ -26,7 +26,7 @@ def begin() -> None:
     from support.start import early, end
 
     if not end.is_in_session():  # a session keeps its own signals if an import fails
-        end.on_signals(end.end)
+        end.on_signals(end.exit_at_once)
     early.import_later("pandas")  # it takes longest: the page imports it while the browser loads
 
 
