@@ -97,8 +97,8 @@ def are_in_range(masses: Iterable[float]) -> bool:
 def file_for_pandas(cradle: CradleCsv) -> Iterator[str]:
     """Yield the path of a file for the handout's functions, for the body of the with statement.
 
-    It is the CSV itself, or a copy if a plain pd.read_csv finds something else in the CSV. Who
-    changes the CSV only then gives the functions a file that nobody has checked; LiveFile notices
+    It is the CSV itself if a plain pd.read_csv finds in it what was checked, else a copy. A CSV
+    that is saved in the next milliseconds reaches the functions unchecked; LiveFile then notices
     it.
     """
     columns = zip(*cradle.pendula, strict=True)
