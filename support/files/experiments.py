@@ -34,7 +34,6 @@ class Answer(NamedTuple):
 class Hidden(NamedTuple):
     """A value that a class finds by measuring: until then, nothing shows it."""
 
-    name: str  # such as "mass 1"
     column: str  # mass or e
     rows: list[int]  # the indices of the pendula that have it
     question: str
@@ -224,7 +223,7 @@ class ExperimentText:
         column, _, bob = name.partition(" ")
         rows = [int(bob) - 1] if bob else [*range(self.count)]
         why = self.text("why", lambda text: "{" not in text, "a text without braces")
-        return Hidden(name, column, rows, self.text("question"), why)
+        return Hidden(column, rows, self.text("question"), why)
 
     def measured(self, name: str) -> str:
         """Return the text of a line that can have measured numbers of the bobs in braces."""
