@@ -63,7 +63,7 @@ def ended_quietly() -> Iterator[None]:
         sys.stdout = open(os.devnull, "w", encoding="utf-8")  # noqa: SIM115
     except OSError as error:
         place = error.filename2 or error.filename or "The output"
-        refuse(f"{place}: {error.strerror}")
+        refuse(f"{place}: {error.strerror or error}")
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)

@@ -50,6 +50,7 @@ def test_an_older_python_is_named_and_compiles_the_files_that_do_so(monkeypatch)
         (BrokenPipeError(), ""),
         (OSError(errno.EACCES, "Permission denied", "a.csv"), "a.csv: Permission denied\n"),
         (OSError(errno.ENOSPC, "No space left"), "The output: No space left\n"),
+        (OSError("It failed"), "The output: It failed\n"),
     ],
 )
 def test_an_error_of_a_file_is_one_line_and_an_output_that_nobody_reads_none(

@@ -48,5 +48,5 @@ def test_the_page_and_the_checks_need_uv_alone(tmp_path):
     with running(*checks, folder=project, python=program, **environment) as process:
         stdout, stderr = process.communicate()
     assert stderr == ""
-    assert "python -m pytest -n 2 tests\n" in stdout
+    assert "type pytest -n 2 tests\n" in stdout
     assert "\nGrade: Honor roll.\n" in stdout
