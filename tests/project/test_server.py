@@ -31,7 +31,9 @@ def site(tmp_path_factory):
     program = folder / "src" / programs.PROGRAM.name
     with running(program, patience=60 * SECONDS) as process:
         page = urlsplit(first_lines(process))
-        threading.Thread(target=Tab(page).stay, daemon=True).start()
+        tab = Tab(page)
+        tab.hear()  # now all is imported: some imports would catch the end
+        threading.Thread(target=tab.stay, daemon=True).start()
         yield page
         process.send_signal(signal.SIGINT)
         assert end(process) == QUIETLY
