@@ -100,7 +100,7 @@ def test_the_second_signal_ends_also_code_that_catches_the_first_one():
     assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGTERM, "143\n", "")
 
 
-def test_a_signal_that_is_ignored_stays_ignored(monkeypatch):
+def test_a_signal_that_is_ignored_stays_ignored():
     """As with nohup."""
     before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
     with end.ended_quietly():
