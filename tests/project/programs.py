@@ -1,5 +1,6 @@
 """The programs as processes: how the tests start them, what they print first, how they end."""
 
+import asyncio
 import os
 import re
 import shutil
@@ -7,6 +8,7 @@ import subprocess
 import sys
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
 from pathlib import Path
@@ -123,6 +125,15 @@ def end(process):
     """
     stdout, stderr = process.communicate(timeout=SECONDS)
     return process.returncode, stdout, stderr
+
+
+def result_of(coroutine):
+    """Return the result of a coroutine.
+
+    Another thread runs it: in this one, Playwright may have a loop that runs.
+    """
+    with ThreadPoolExecutor(1) as worker:
+        return worker.submit(asyncio.run, coroutine).result()
 
 
 def wait_until(condition, seconds=SECONDS):

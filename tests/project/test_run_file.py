@@ -13,7 +13,7 @@ from threading import Event
 
 import pytest
 from pages import axle, bob_angles, BOBS, new_page, pixel, press, readout, saved, wait_for_cradle
-from programs import PROGRAM, python, ROOT, with_vpython
+from programs import PROGRAM, python, result_of, ROOT, with_vpython
 
 from support.constants import R_PARAM
 from support.page.film_recorder import NoTabs
@@ -138,7 +138,7 @@ def test_the_server_goes_on_while_a_run_is_made(monkeypatch):
     monkeypatch.setattr("support.page.server.run_file.run_as_html", make)
     monkeypatch.setattr("support.page.server.site.keyless_files", dict)
     site = Site({}, None, lambda: ["a picture"])
-    assert asyncio.run(ask_for_a_run()).content == b"a run"
+    assert result_of(ask_for_a_run()).content == b"a run"
 
 
 @with_vpython

@@ -1,6 +1,5 @@
 """When the program of a page ends: with its last tab, or a minute after it was lost."""
 
-import asyncio
 from types import SimpleNamespace
 
 import programs
@@ -66,7 +65,7 @@ class Connection(connections.Connection):
 
     def asks_for(self, name):
         parameters = {"key": [self.site.key], **self.http_request_params}
-        asyncio.run(self.site.response_to(name, parameters))
+        programs.result_of(self.site.response_to(name, parameters))
 
 
 @pytest.mark.parametrize(
