@@ -7,7 +7,7 @@ from classroom import LEAVES
 
 # Before each of them.
 HEADER = """
-import ctypes, fcntl, mmap, os, resource, shutil, signal, socket, sys, time
+import ctypes, mmap, os, resource, shutil, signal, socket, sys, time
 here = os.path.dirname(os.path.dirname(__file__))
 calls = ctypes.CDLL(None, use_errno=True)
 
@@ -42,23 +42,10 @@ import warnings
 warnings.simplefilter('error')
 left_open = open(__file__)
 """,
-    "makes deep folders": """
-os.chdir(here)
-for _ in range(2100):  # longer than a path can be
-    os.mkdir('a')
-    os.chdir('a')
-os.chdir(here)
-""",
-    "takes rights away": """
-os.mkdir(here + '/a')
-os.chmod(here + '/a', 0)
-os.chmod(here + '/src', 0o500)
-""",
     "ignores signals": """
 for number in (signal.SIGTERM, signal.SIGXCPU, signal.SIGHUP):
     signal.signal(number, signal.SIG_IGN)
 """,
-    "locks the starter": "fcntl.flock(open('/autograder/source/pyproject.toml'), fcntl.LOCK_EX)",
     "looks for a way out": """
 assert calls.prctl(39, 0, 0, 0, 0) == 1  # it gets no rights
 assert os.getuid() == os.getgid() == 65534
@@ -86,11 +73,6 @@ assert not any(v for n, v in os.environ.items() if 'proxy' in n.lower())
 SPOILED = {
     "kills all": "os.kill(-1, 9)",
     "stops all": "os.kill(-1, signal.SIGSTOP)",
-    "takes memory": """
-rows = [0]
-while True:
-    rows += rows
-""",
     "takes shared memory": """
 taken = mmap.mmap(-1, 4 * 10**9)
 for i in range(0, 4 * 10**9, 4096):
@@ -111,5 +93,4 @@ os.abort()
 while True:
     os.write(1, b'x' * 100_000)
 """,
-    "ends at once": "os.abort()",
 }

@@ -3,7 +3,6 @@
 On no file system, the files of another student can have the same name.
 """
 
-import hashlib
 import re
 from collections import Counter
 from typing import NamedTuple
@@ -14,8 +13,7 @@ from support.start.output import in_one_line
 REFUSED = re.compile(r'[<>:"/\\|?*]')  # in names of files on Windows
 # Names that mean something else there
 DEVICES = re.compile(r"(con|prn|aux|nul|com.|lpt.)(\..*)?", re.IGNORECASE)
-MOST_BYTES = 100  # of a key without its hash: a file system takes 255, an encrypted one 143
-WITH_HASH = re.compile(r".*-[0-9a-f]{16}")
+MOST_BYTES = 100  # of a key without its number: a file system takes 255, an encrypted one 143
 
 
 class Student(NamedTuple):
@@ -28,21 +26,24 @@ class Student(NamedTuple):
 def keys_of(students) -> dict[Student, str]:
     """Return a key for each student of a class.
 
-    It is the short name or, if two could meet, the full name or a hash of it. A key depends only on
-    the students who could meet. It differs from the others also where a file system takes capitals
-    for small letters, or e and an accent for one letter.
+    It is the short name or, if two could meet, the full name, with a number if these meet as well.
+    It differs from the others also where a file system takes capitals for small letters, or e and
+    an accent for one letter.
     """
-    counts: Counter[str] = Counter()
-    for student in students:
-        counts.update({folded(plain(student.short)), folded(plain(student.full))})
+    counts = Counter(folded(plain(student.short)) for student in students)
     keys = {}
+    taken = set()
     for student in students:
-        full = plain(student.full)
-        digest = hashlib.sha256(repr(student).encode()).hexdigest()
-        keys[student] = f"{full}-{digest[:16]}"
-        for name in (full, plain(student.short)):  # the short one is taken if both are alone
-            if counts[folded(name)] == 1 and not WITH_HASH.fullmatch(folded(name)):
-                keys[student] = name
+        name = plain(student.short)
+        if counts[folded(name)] > 1:
+            name = plain(student.full)
+        key = name
+        number = 1
+        while folded(key) in taken:
+            number += 1
+            key = f"{name} ({number})"
+        taken.add(folded(key))
+        keys[student] = key
     return keys
 
 
