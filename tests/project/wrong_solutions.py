@@ -16,7 +16,6 @@ HINTED = {
     "extract_and_convert": {
         "A character that you cannot see": "exec('x = 5\u200b')",
         "Python reads this character only in": "exec('x = 45\u00b0')",
-        "This line is for Web VPython": "exec('Web VPython 3.2')",
         "This file is not saved in": "exec('x\\0')",
         "Python cannot read this line, or": "exec('a = 5 +')",
         "There is no such file. The": ("(relative_filepath)", "('my.csv')"),
