@@ -250,9 +250,6 @@ def test_all_sheets_are_printed_at_once_two_on_a_page(shared):
 def test_a_value_for_a_hidden_mass_is_checked(shared):
     pages.choose(shared, "An unknown mass")
     value = shared.get_by_label("mass of bob 1 =")
-    value.fill("heavy")
-    press(shared, "Check")
-    wait_for_text(shared, "Type a number, such as 1.5.")
     value.fill("2.7")
     press(shared, "Check")
     wait_for_text(shared, "Bob 2 gets the momentum that bob 1 loses")
