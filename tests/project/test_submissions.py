@@ -270,7 +270,7 @@ def test_pipes_and_links_are_not_read(tmp_path):
 CLASS = {
     "Bea B/a.py": ("Bea B", ""),
     "a\x7fb/c\x85d/e\x85f": ("a_x7fb", ""),
-    "cem.ZIP": ("cem", ""),
+    "O'Brien \u00dc (2).ZIP": ("O'Brien \u00dc (2)", ""),
     "dan.rar": ("dan", ""),
     "lab_1_2_x/a.py": ("lab_1_2_x", ""),
     "li_1_5_swinging.py": ("li_1", "swinging.py"),
@@ -347,8 +347,3 @@ def test_a_students_key_is_apart_from_all_others_on_any_file_system(tmp_path, na
         assert key == key.strip(" .")
         assert not {*key} & {*'<>:"/|?*\\\n'}
         assert key.partition(".")[0].upper() not in ("CON", "NUL")
-
-
-def test_a_key_is_the_plain_name_where_no_other_one_is_like_it():
-    keys = {"Bea B": "Bea B", "Ünal (2)": "Ünal (2)", "O'Brien": "O'Brien", "nul.txt": "_nul.txt"}
-    assert [*keys_of([Student(name, name) for name in keys]).values()] == [*keys.values()]
