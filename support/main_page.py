@@ -12,8 +12,8 @@ class Page(Protocol):
 
     @property
     def csv(self) -> str:
-        """The path of a CSV of the cradle: a copy of your file, of an experiment, or of a changed
-        table.
+        """The path of a CSV of the cradle: your file, or one with what an experiment or the page
+        has in its place.
         """
 
     @property

@@ -12,7 +12,7 @@ from vpython import box, color, cylinder, sphere, vector
 BUFFER = 1.05
 
 DARK_GREY = vector(0.3, 0.3, 0.32)
-GREY = vector(0.45, 0.45, 0.47)  # you see it on a pale page and on a dark one
+GREY = vector(0.45, 0.45, 0.47)
 
 
 class PendulumEntry(TypedDict, total=False):

@@ -32,7 +32,7 @@ LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
 def main() -> None:
     """Grade the class. The status is 2 if an argument is wrong or a file cannot be written.
 
-    After Ctrl+C, and another signal, it is 128 and the signal's number.
+    After Ctrl+C or another signal, it is 128 and the signal's number.
     """
     options, submitted, others = read_options()
     for folder in filter(None, (options.out, options.gradescope)):

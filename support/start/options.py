@@ -141,7 +141,7 @@ def page_options(description: str) -> OneLineParser:
     parser = cradle_options(description + " When you save its CSV, the page shows the new cradle.")
     add = parser.add_argument
     text = (
-        "CSV of a motion that pale bobs show with the cradle:  "
+        "CSV of a motion that pale bobs show with the cradle: "
         "columns t (s), theta_1 (rad), ..., as --record writes them"
     )
     add("--ghosts", metavar="FILE", help=text)
