@@ -53,8 +53,7 @@ export function update(name) {
 }
 
 function showText(name) {
-  const lines = [state[name] ?? ""].flat();
-  for (const element of find(`[data-text="${name}"]`)) element.textContent = lines.join("\n");
+  for (const element of find(`[data-text="${name}"]`)) element.textContent = state[name] ?? "";
 }
 
 // Fill a place of the page with the template of this id.
