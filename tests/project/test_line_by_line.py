@@ -108,13 +108,6 @@ ROWS = {
             return found[0]""",
         "not [ ], empty and 2 > 0 > -1 True | not [5] False",
     ),
-    "a condition that Python has not looked at": (
-        """\
-        def first(books):
-            a = None
-            if a is not None and a > 1: pass""",
-        "3 if a is not None and a > 1: None is not None False",
-    ),
     "two values behind a long line": (
         """\
         def first(books):
