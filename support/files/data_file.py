@@ -1,4 +1,4 @@
-"""Write a file whole or not at all, for instance the data of a cradle's motion."""
+"""Write a file whole or not at all."""
 
 import errno
 import os
@@ -6,8 +6,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TextIO
-
-EVERY = 0.01  # s from sample to sample, or the nearest whole number of ticks
 
 
 @contextmanager

@@ -13,7 +13,6 @@ from typing import NoReturn
 from support import constants
 from support.columns import to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.files.data_file import EVERY
 from support.files.valid_cradle import CradleCsv, MOST_PENDULA
 from support.found import found
 from support.pendulum import angle_to_outwards, outwards_to_angle
@@ -24,6 +23,7 @@ PORT_VARIABLE = "VPYTHON_HTTP_PORT"
 CLOSED_VARIABLE = "VPYTHON_NO_LAUNCH_BROWSER"
 
 HTML_SECONDS = 10.0  # s
+EVERY = 0.01  # s from row to row of a recording, or the nearest whole number of ticks
 OF_THE_CSV = ("elastic", "inelastic", "e", "mass", "angle", "phi", "lift")
 # Options that bring their own cradles, and those that they exclude.
 EXCLUDED = {"experiment": OF_THE_CSV, "html_all": (*OF_THE_CSV, "experiment")}
