@@ -170,9 +170,9 @@ def test_hits_are_calls_of_the_function_beside_the_tick(swing, monkeypatch):
 
 
 def test_each_call_that_changes_a_velocity_is_a_hit(swing):
-    """Also where a bob has its old velocity after the tick.
+    """Also where a bob has its old velocity after the tick, and where a function gets copies.
 
-    Bobs that move apart hit with a speed below 0.
+    Bobs that move apart hit with a speed below 0. Only two pendula of the cradle can hit.
     """
     player = swing(HEADER + GOOD * 3, lift=0)
     cradle = player.cradle
@@ -186,12 +186,16 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     collide(second, third, R_PARAM)
     collide(first, second, R_PARAM)  # these two are at rest
     collide(third, pend2=second, r_param=R_PARAM)  # in any order
+    collide(dict(first), dict(second), R_PARAM)
     player.hits.stop()
+    for others in ((), (first,), ({"omega": 0},)):
+        player.hits.note_hit(lambda pend, *_: pend.update(omega=1), dict(first), *others)
     hits = player.hits.noted
-    assert [(hit.left, hit.right) for hit in hits] == [(0, 1), (1, 2), (1, 2)]
-    speeds = [hit.speed for hit in hits]
-    assert speeds == pytest.approx([2 * R_PARAM, 2 * R_PARAM, -2 * R_PARAM])
-    for hit, omegas in zip(hits, ([2, 0, 0, 2], [2, 0, 0, 2], [0, 2, 2, 0]), strict=True):
+    assert [(hit.left, hit.right) for hit in hits] == [(0, 1), (1, 2), (1, 2), (0, 1)]
+    speeds = [hit.speed / R_PARAM for hit in hits]
+    assert speeds == pytest.approx([2, 2, -2, -2])
+    away, apart = [2, 0, 0, 2], [0, 2, 2, 0]
+    for hit, omegas in zip(hits, (away, away, apart, apart), strict=True):
         assert [pend["omega"] for pend in hit.before + hit.after] == omegas
 
 

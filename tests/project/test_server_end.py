@@ -114,13 +114,13 @@ def test_a_silent_page_is_lost_and_lets_its_bob_go_and_the_terminal_says_so(sile
     tab = Connection(silent, "1")
     tab.opens()
     tab.onMessage(b'["grab"]', False)
-    assert silent.tabs.commands.get() == ["grab"]
+    assert silent.tabs.commands.get_nowait() == ["grab"]
     silent.wait(connections.SILENT)
     tab.onPong(b"")
     silent.wait(connections.SILENT)
     assert silent.tabs.commands.empty()
     silent.wait(LOOK_AT_TABS)
-    assert silent.tabs.commands.get() == ["let_go"]
+    assert silent.tabs.commands.get_nowait() == ["let_go"]
     silent.wait(FLICKER - LOOK_AT_TABS)
     assert capsys.readouterr().out == ""
     silent.wait(LOOK_AT_TABS)

@@ -65,11 +65,13 @@ def test_an_error_of_a_file_is_one_line_and_an_output_that_nobody_reads_none(
 
 @on_posix
 def test_a_closed_pipe_ends_a_program_quietly():
+    """Also if it only breaks at the end: -E lets Python keep what is printed until then."""
     program = "from support.start.end import *\nwith ended_quietly(): print(1)"
     reader, writer = os.pipe()
     os.close(reader)
     with open(writer) as unread:
-        done = subprocess.run([sys.executable, "-c", program], cwd=ROOT, stdout=unread, stderr=-1)
+        command = [sys.executable, "-E", "-c", program]
+        done = subprocess.run(command, cwd=ROOT, stdout=unread, stderr=-1)
     assert (done.returncode, done.stderr) == (0, b"")
 
 

@@ -76,7 +76,9 @@ def test_a_remark_about_the_run_is_printed_once(csv, capsys):
 def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
     main, csv, monkeypatch, error, status
 ):
-    monkeypatch.setattr(players, "line_of", Mock(side_effect=error))
+    """Also in a student's function, which may print."""
+    monkeypatch.setattr("src.swinging.sin", Mock(side_effect=error))
+    monkeypatch.setattr(text_cradle_run, "many_ticks", None)
     ended, _, err = main(csv)
     assert (ended, err) == (status, "")
 
