@@ -10,7 +10,7 @@ from importlib import import_module
 from importlib.util import find_spec
 
 import pytest
-from programs import call, on_posix, ROOT
+from programs import call, on_posix, python, ROOT
 
 from support.start import end
 from support.start.early import import_later, import_now
@@ -73,6 +73,12 @@ def test_a_closed_pipe_ends_a_program_quietly():
         command = [sys.executable, "-E", "-c", program]
         done = subprocess.run(command, cwd=ROOT, stdout=unread, stderr=-1)
     assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_letters_that_an_output_lacks_end_no_program():
+    program = "from support.start.end import *\nwith ended_quietly(): print('\u03c9 = 1')"
+    done = python("-c", program, PYTHONIOENCODING="ascii")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "? = 1\n", "")
 
 
 @pytest.mark.parametrize("number", end.STATUSES)
