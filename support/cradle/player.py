@@ -21,7 +21,7 @@ from support.cradle.settings import NextCradle, Settings
 from support.files.valid_cradle import file_for_pandas
 from support.main_page import Loop, Page
 from support.start.early import import_now
-from support.start.end import SignalError
+from support.start.end import end_if_signalled, SignalError
 from support.start.mistake import MistakeError
 
 # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends.
@@ -185,6 +185,7 @@ class Player(Page):
                 self.pace.give_back(self.planned)
                 self.planned = 0
                 self.last_frame = perf_counter()
+                end_if_signalled()
                 self.frame()
         self.due -= 1
         self.motion.ticks += 1

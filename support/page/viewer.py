@@ -31,6 +31,7 @@ from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
 from support.page.sound import Sound
 from support.page.unknown import Unknown
+from support.start.end import end_if_signalled
 
 REFRESH = 0.1  # s between two changes of the state
 SAMPLES_A_SWING = 90  # for the graph, in the time of a small swing
@@ -255,6 +256,7 @@ class Viewer(Player):
         self.begin_swing()
         self.next_refresh = 0.0
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
+            end_if_signalled()
             self.show_frame()
             self.tabs.is_seen.wait(FRAME)
             self.next_refresh = 0.0

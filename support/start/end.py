@@ -16,6 +16,9 @@ if hasattr(signal, "SIGHUP"):  # Windows has none
     STATUSES[signal.SIGHUP] = 128 + signal.SIGHUP
 
 
+came: list[int] = []  # the number of the signal that ends the program
+
+
 class SignalError(SystemExit):
     """A signal ends the program; its code is the exit status."""
 
@@ -37,11 +40,18 @@ def exit_at_once(number: int, _: object) -> NoReturn:
     os._exit(STATUSES[number])
 
 
-def end(number: int, _: object) -> NoReturn:
+def end(number: int, _: object) -> None:
     """Raise a SignalError. The next signal ends the process, also where code catches this one."""
     for other in STATUSES:
         signal.signal(other, signal.SIG_DFL)
-    raise SignalError(STATUSES[number])
+    came.append(number)
+    end_if_signalled()
+
+
+def end_if_signalled() -> None:
+    """Raise a SignalError if a signal has come: Python loses one that it raises in a callback."""
+    if came:
+        raise SignalError(STATUSES[came[0]])
 
 
 @contextmanager
@@ -65,6 +75,7 @@ def ended_quietly() -> Iterator[None]:
         place = error.filename2 or error.filename or "The output"
         refuse(f"{place}: {error.strerror or error}")
     finally:
+        came.clear()
         for number, handler in before.items():
             signal.signal(number, handler)
         if is_in_session():

@@ -1,6 +1,8 @@
 """The player: its frames in step with the clock, and a main that is no loop of ticks."""
 
 import re
+import signal
+from contextlib import suppress
 from types import SimpleNamespace
 from unittest.mock import patch
 
@@ -11,6 +13,7 @@ from src import visualize_cradle_run
 from support.constants import DT
 from support.cradle.player import Player, run
 from support.cradle.real_time import FRAME, MAX_BEHIND, RealTime
+from support.start.end import ended_quietly, SignalError
 from support.start.mistake import MistakeError
 
 # --- the pace -----------------------------------------------------------------------------------
@@ -177,3 +180,20 @@ def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(csv, rest, me
     exec(PROGRAM + rest, scope)
     with pytest.raises(MistakeError, match=re.escape(f"main {message}")):
         run(scope["main"], timed)
+
+
+class Loses(Timed):
+    """Gets a signal in its first frame, and loses the error, as Python does in a callback."""
+
+    def frame(self):
+        super().frame()
+        if self.frames == 1:
+            with suppress(SignalError):
+                signal.raise_signal(signal.SIGTERM)
+
+
+def test_a_signal_ends_the_loop_also_if_its_error_is_lost(csv):
+    player = Loses(csv, until=1)
+    with pytest.raises(SignalError), ended_quietly():
+        player.run()
+    assert player.frames == 1
