@@ -57,6 +57,15 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
     return CradleCsv(snapshot.filepath, header.cells, [row.cells for row in pendula])
 
 
+def is_cradle(filepath: str) -> bool:
+    """Return whether a file is the CSV of a cradle."""
+    try:
+        read_cradle(Snapshot(filepath))
+    except ValueError:
+        return False
+    return True
+
+
 def require_columns(place: str, names: list[str]) -> None:
     """Raise a ValueError if the names at this place lack a column of a cradle, or repeat one."""
     for column in CHECKED:

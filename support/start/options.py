@@ -13,7 +13,7 @@ from typing import NoReturn
 from support import constants
 from support.columns import to_number
 from support.constants import DT, NC_FP, PHI_INIT, THETA_INIT
-from support.files.valid_cradle import CradleCsv, MOST_PENDULA
+from support.files.valid_cradle import CradleCsv, is_cradle, MOST_PENDULA
 from support.found import found
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.start.output import refuse
@@ -220,6 +220,9 @@ def read_text_options() -> argparse.Namespace:
     options = parse(parser)
     if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")
+    if options.record is not None and is_cradle(options.record):
+        allowed = "a new file, or one to replace that is no cradle"
+        parser.error(f"argument --record: {found(options.record, allowed)}")
     if options.every is not None and options.record is None:
         parser.error("argument --every: needs --record")
     options.every = options.every or EVERY

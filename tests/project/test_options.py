@@ -5,6 +5,7 @@ from math import inf
 
 import pytest
 from programs import call
+from whole_cradles import FIVE_CSV
 
 from support import constants
 from support.constants import DT, NC_FP
@@ -148,3 +149,13 @@ def test_options_that_do_not_go_together_or_are_none_are_refused_in_one_line(
     status, stdout, stderr = call(lambda: read(program, line), capsys)
     assert (status, stdout, stderr.count("\n")) == (2, "", 1)
     assert stderr.startswith(f"program.py: error: {beginning}")
+
+
+def test_a_recording_replaces_data_and_no_cradle(read, capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "data.csv").write_text("t,theta_1\n0,0\n")
+    (tmp_path / "my.csv").write_text(FIVE_CSV)
+    assert read("text", "--seconds 1 --record data.csv")["record"] == "data.csv"
+    status, _, line = call(lambda: read("text", "--seconds 1 --record my.csv"), capsys)
+    assert status == 2
+    assert "argument --record: found 'my.csv', allowed is a new file, or one to replace" in line

@@ -18,7 +18,6 @@ from pages import (
     tick,
     violations,
     wait_for_angles,
-    wait_for_moves,
     wait_for_rest,
     wait_for_time,
 )
@@ -50,21 +49,22 @@ def test_keys_control_the_cradle_and_do_not_scroll_the_page(shared):
     wait_for_text(shared, "You said: B")
 
 
-def test_a_control_that_was_clicked_takes_its_keys_alone(shared):
-    """Space does one thing, not two."""
+def test_a_control_has_its_own_keys_if_you_reach_it_by_keys(shared):
     slider = shared.get_by_role("slider", name="Bobs lifted")
     slider.press("ArrowRight")  # lifts one bob more
     wait_until(lambda: slider.get_attribute("aria-valuetext") == "2 of 5")
-    tick(shared, "Arrows")
-    wait_until(lambda: shared.evaluate("state.controls.arrows.value"))
+    button(shared, "Pause").press("Space")  # once, not twice
+    wait_for_rest(shared)
+
+
+def test_after_a_click_on_a_control_the_keys_are_the_pages(shared):
+    tick(shared, "Measure")
     shared.keyboard.press("Space")
-    wait_until(lambda: not shared.evaluate("state.controls.arrows.value"))
-    assert shared.evaluate("state.running")
-    button(shared, "Pause").click()
-    button(shared, "Run").wait_for()
+    wait_for_rest(shared)
+    assert shared.get_by_role("checkbox", name="Measure").is_checked()
+    menu(shared, "Graph").select_option("Momenta")
     shared.keyboard.press("Space")
     button(shared, "Pause").wait_for()
-    wait_for_moves(shared)
 
 
 def test_the_graph_has_even_ticks_and_a_choice(shared):

@@ -12,5 +12,7 @@ def listen(host: str, port: int) -> socket.socket:
     try:
         return socket.create_server((host, port), family=family)
     except OSError as error:
-        choice = "choose another --port (0 is any free one), or another --host"
-        raise ValueError(f"port {port} is not available: {error.strerror}; {choice}") from error
+        raise ValueError(
+            f"port {port} of {host} is not available: {error.strerror}; choose another --port "
+            "(0 is any free one), or another --host"
+        ) from error

@@ -12,9 +12,7 @@ show("pictures", pictures => {
   markTile();
 });
 one(".gallery").addEventListener("click", ({ target }) => {
-  if (!target.closest("button")) return;
-  one("#gallery").hidePopover();
-  one(".choose").blur(); // Space pauses now, and does not open the pictures again
+  if (target.closest("button")) one("#gallery").hidePopover();
 });
 show("controls", markTile);
 show("changed", markTile);

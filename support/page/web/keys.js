@@ -46,3 +46,16 @@ addEventListener("keydown", event => {
   const isHeld = event.repeat && key !== "ArrowRight";
   if (!isHeld) act();
 });
+
+// A control that you reach with the Tab key keeps its own keys; one that you click gives them back.
+let isByMouse = false;
+addEventListener("pointerdown", () => isByMouse = true, true);
+addEventListener("keydown", () => isByMouse = false, true);
+addEventListener("click", ({ target }) => {
+  if (!target.matches("select, [type=text]")) giveKeysBack();
+});
+addEventListener("change", giveKeysBack);
+
+function giveKeysBack() {
+  if (isByMouse) one(":focus")?.blur();
+}
