@@ -54,6 +54,12 @@ def end_if_signalled() -> None:
         raise SignalError(STATUSES[came[0]])
 
 
+def report_lost(lost: Any) -> None:
+    """Report an error that Python loses in a callback, as Python does, but no SignalError."""
+    if not isinstance(lost.exc_value, SignalError):
+        sys.__unraisablehook__(lost)
+
+
 @contextmanager
 def ended_quietly() -> Iterator[None]:
     """Run a program: the body of the with statement, or the decorated function.
@@ -63,6 +69,8 @@ def ended_quietly() -> Iterator[None]:
     Afterwards, signals do what they did before, and a session can start changed files.
     """
     before = on_signals(end)
+    hook = sys.unraisablehook
+    sys.unraisablehook = report_lost
     if hasattr(sys.stdout, "reconfigure"):  # a notebook has another kind of output
         sys.stdout.reconfigure(errors="replace")
     try:
@@ -76,6 +84,7 @@ def ended_quietly() -> Iterator[None]:
         refuse(f"{place}: {error.strerror or error}")
     finally:
         came.clear()
+        sys.unraisablehook = hook
         for number, handler in before.items():
             signal.signal(number, handler)
         if is_in_session():

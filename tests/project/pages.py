@@ -201,8 +201,11 @@ def choose(page, name):
 
 
 def tick(page, name):
-    """Tick a box."""
-    page.get_by_role("checkbox", name=name).check()
+    """Tick a box; a state from before the click can untick it for a moment."""
+    box = page.get_by_role("checkbox", name=name)
+    if not box.is_checked():
+        box.click()
+    wait_until(box.is_checked)
 
 
 def pause(page):

@@ -89,7 +89,8 @@ def open_page(chromium, file):
         pages.open_cradle(page, programs.first_lines(process))
         yield page
         process.send_signal(signal.SIGINT)
-        assert programs.end(process) == programs.QUIETLY
+        found = programs.end(process)
+        assert found == programs.QUIETLY, found
 
 
 @pytest.fixture

@@ -108,6 +108,22 @@ def test_the_second_signal_ends_also_code_that_catches_the_first_one():
     assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGTERM, "143\n", "")
 
 
+class Callback:
+    """Gets a signal where Python loses errors."""
+
+    def __del__(self):
+        signal.raise_signal(signal.SIGTERM)
+
+
+def test_a_signal_whose_error_python_loses_is_raised_again_without_words(capsys):
+    @end.ended_quietly()
+    def main():
+        Callback()
+        end.end_if_signalled()
+
+    assert call(main, capsys) == (128 + signal.SIGTERM, "", "")
+
+
 def test_a_signal_that_is_ignored_stays_ignored():
     """As with nohup."""
     before = signal.signal(signal.SIGTERM, signal.SIG_IGN)
