@@ -15,7 +15,6 @@ STATUSES: dict[int, int] = {signal.SIGINT: 0, signal.SIGTERM: 128 + signal.SIGTE
 if hasattr(signal, "SIGHUP"):  # Windows has none
     STATUSES[signal.SIGHUP] = 128 + signal.SIGHUP
 
-
 came: list[int] = []  # the number of the signal that ends the program
 
 

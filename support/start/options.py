@@ -64,6 +64,14 @@ def whole_number(least: int, most: int) -> Callable[[str], int]:
     return convert
 
 
+def file_to_write(text: str) -> str:
+    """Return the name of a file, as a type for argparse; what is written must replace no cradle."""
+    if is_cradle(text):
+        allowed = "a new file, or one to replace that is no cradle"
+        raise argparse.ArgumentTypeError(found(text, allowed))
+    return text
+
+
 def require_constants() -> None:
     """Exit with status 2 and one line if a constant is out of its range."""
     require_constant("R_PARAM", 0.05, 100, "m")
@@ -159,7 +167,7 @@ def page_options(description: str) -> OneLineParser:
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
     text = "write a run to FILE, one HTML page that any browser plays, and open no page"
     add_html = parser.add_mutually_exclusive_group().add_argument
-    add_html("--html", metavar="FILE", help=text)
+    add_html("--html", type=file_to_write, metavar="FILE", help=text)
     text = "write a run of each experiment to FOLDER, with index.html, for a course page"
     add_html("--html-all", metavar="FOLDER", help=text)
     text = f"with --html or --html-all: the seconds of a run (default: {HTML_SECONDS:g})"
@@ -214,15 +222,12 @@ def read_text_options() -> argparse.Namespace:
     text = "end after S seconds (default: until Ctrl+C)"
     add("--seconds", type=number(DT, 1e6, "s"), metavar="S", default=inf, help=text)
     text = "write the data of --seconds S to FILE, a CSV (- prints it), as fast as the machine can"
-    add("--record", metavar="FILE", help=text)
+    add("--record", type=file_to_write, metavar="FILE", help=text)
     text = f"with --record: a row for every T seconds, in whole ticks (default: {EVERY:g})"
     add("--every", type=number(DT, 1e6, "s"), metavar="T", help=text)
     options = parse(parser)
     if options.record is not None and options.seconds == inf:
         parser.error("argument --record: needs --seconds, to say how long")
-    if options.record is not None and is_cradle(options.record):
-        allowed = "a new file, or one to replace that is no cradle"
-        parser.error(f"argument --record: {found(options.record, allowed)}")
     if options.every is not None and options.record is None:
         parser.error("argument --every: needs --record")
     options.every = options.every or EVERY

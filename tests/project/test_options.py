@@ -151,11 +151,12 @@ def test_options_that_do_not_go_together_or_are_none_are_refused_in_one_line(
     assert stderr.startswith(f"program.py: error: {beginning}")
 
 
-def test_a_recording_replaces_data_and_no_cradle(read, capsys, tmp_path, monkeypatch):
+@pytest.mark.parametrize(("program", "option"), [("text", "record"), ("page", "html")])
+def test_what_is_written_replaces_no_cradle(read, capsys, tmp_path, monkeypatch, program, option):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "data.csv").write_text("t,theta_1\n0,0\n")
     (tmp_path / "my.csv").write_text(FIVE_CSV)
-    assert read("text", "--seconds 1 --record data.csv")["record"] == "data.csv"
-    status, _, line = call(lambda: read("text", "--seconds 1 --record my.csv"), capsys)
+    assert read(program, f"--seconds 1 --{option} data.csv")[option] == "data.csv"
+    status, _, line = call(lambda: read(program, f"--seconds 1 --{option} my.csv"), capsys)
     assert status == 2
-    assert "argument --record: found 'my.csv', allowed is a new file, or one to replace" in line
+    assert f"argument --{option}: found 'my.csv', allowed is a new file, or one to replace" in line
