@@ -1,7 +1,7 @@
 """The collisions of the double cradle: the bobs that touch, and their velocities after a hit.
 
 theta, phi, alpha, beta, m1, m2, R and the kinetic energy T mean the same as in
-src/double_cradle.py; ' is d/dt.
+src/double_cradle.py; x' is the rate of x, dx/dt.
 
 Hit
     A hit takes no time: gravity changes nothing, and the pull of the cords does no work. The two
@@ -38,8 +38,8 @@ OVERLAPPED_AT_START = 0.95
 
 ROUNDING = 1e-9  # m/s: a slower approach or separation is a rounding error
 
-# A tick goes at most this many times through the touching pairs: a hit can make other pairs
-# approach.
+# One hit can push a bob towards another. So a tick looks at the touching pairs at most this many
+# times.
 SWEEPS = 3
 
 

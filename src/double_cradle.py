@@ -29,15 +29,6 @@ Swing
         cos(phi) alpha''  +             beta'' =    - sin(phi) alpha'^2 - g/R sin(beta)
     double_accelerations solves these two linear equations for alpha'' and beta''. Source of L:
     Landau and Lifshitz, Mechanics, section 5, problem 1, with both lengths R.
-
-    The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the
-    energy to 1e-6. So a tick is a step of the classical Runge-Kutta method, which has an error of
-    order dt^4. It computes four accelerations instead of one. The new state is given by a
-    formula, without the results of earlier ticks, which a hit would make useless.
-
-    If a cord turns far in a step, the step adds energy. This happens to light bobs: between two
-    bobs of a million times the mass, a bob can become a thousand times as fast. double_swing_update
-    divides such a tick.
 """
 
 from collections.abc import Sequence
@@ -59,7 +50,7 @@ from support.pendulum import (
 # The cords of a pendulum turn at most about this far in one step (rad). With equal masses, they
 # turn much less.
 MOST_TURN = 0.05
-MOST_STEPS = 1e6  # in one tick; if a pendulum needs more, someone made a mistake
+MOST_STEPS = 1e6  # in one tick; if a pendulum needs more, a number is wrong
 
 State: TypeAlias = tuple[float, float, float, float]  # alpha, beta, alpha', beta'
 
@@ -136,10 +127,15 @@ def double_angle_update(
 
     They are in rad/s and rad. The first four arguments are the values before. r_param (m) is the
     length of each cord, g (m/s^2) the gravitational acceleration, m1 and m2 (kg) are the masses of
-    the upper and the lower bob. Any method will do whose error shrinks with dt.
+    the upper and the lower bob. You may use any method whose error gets smaller with dt.
     """
-    # A step of the classical Runge-Kutta method: it averages four rates, with the weights 1, 2, 2,
-    # 1. six_rates has six times this average.
+    # The motion is chaotic. Semi-implicit Euler has an error of order dt, and does not keep the
+    # energy to 1e-6. So this is a step of the classical Runge-Kutta method, which has an error of
+    # order dt^4. It averages four rates, with the weights 1, 2, 2, 1; six_rates has six times this
+    # average. The new state is given by a formula, without the results of earlier ticks, which a
+    # hit would make useless. If a cord turns far in a step, the step adds energy. This happens to
+    # light bobs: between two bobs of a million times the mass, a bob can become a thousand times
+    # as fast. double_swing_update divides such a tick.
     k, mu = g / r_param, m2 / (m1 + m2)
     state = theta, theta + phi, omega_theta, omega_theta + omega_phi
     k1 = rates(state, k, mu)

@@ -21,7 +21,7 @@ def write_to_csv(pend_list, filepath=NC_FP) -> None:
     The new file replaces the old one only when it is complete. Raises an OSError if filepath cannot
     be written.
     """
-    columns = [] if pend_list else list(COLUMN_NAMES)  # an empty list has a header, too
+    columns = [] if pend_list else list(COLUMN_NAMES)  # an empty list still gives a header
     for pend_dict in pend_list:
         for name in pend_dict:
             if name not in columns and name != "objects":

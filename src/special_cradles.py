@@ -37,7 +37,7 @@ def elastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
 def inelastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
     """Return the pend_list of a CSV with perfectly inelastic pendula.
 
-    e = 0: after a hit, both bobs move at the same speed.
+    e = 0: after a hit, both bobs have the same velocity.
     """
     return uniform_e_newton_cradle(relative_filepath, 0)
 

@@ -9,7 +9,7 @@ def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
     """Return (omega_new, theta_new) of a pendulum after dt (s).
 
     omega (rad/s) and theta (rad) are the values before, r_param (m) the cord length, g (m/s^2) the
-    gravitational acceleration. Handout, appendix: omega changes by -g sin(theta) / R in a second;
+    gravitational acceleration. Handout, appendix: omega changes by -g sin(theta) / R per second;
     theta moves with the new omega.
     """
     omega_new = omega - g * sin(theta) / r_param * dt

@@ -10,8 +10,8 @@ Words
     lifted         the number of bobs that are released, from the left; the others hang
     release angle  the angle of the lifted cords from straight down, positive outwards, away from
                    the other pendula (degrees)
-    page           the page in the browser; only the parameter `page` of main can also stand for the
-                   terminal, or for a data file
+    run            a program from its top to the end of its loop, for one cradle
+    page           the page in the browser
     check          one of the graded checks that pytest runs; a function that refuses bad data is
                    named require_...
 """

@@ -4,7 +4,7 @@ After `import support.headless_vpython`, `import vpython` finds this module. It 
 VPython 7.6.5. Vectors and the shapes of a pendulum have what a cradle needs, and compute as
 VPython's do; the project's tests compare the two. Differences: `axis` and `up` do not turn each
 other, `size` is a copy, and a round shape takes its radius in place of a size. The rest of VPython
-is only for show: here nothing is shown, and nothing waits.
+is only for show: here nothing is shown, and only rate waits, in the loop of a program.
 """
 
 # ruff: noqa: F401  VPython exports all these names
@@ -19,6 +19,8 @@ from operator import attrgetter
 from random import random
 from time import perf_counter as clock
 from typing import Any
+
+from support.simulation import rate
 
 sys.modules["vpython"] = sys.modules[__name__]
 
@@ -286,14 +288,14 @@ scene = ForShow(objects=[])  # all shapes, in the order in which they were made
 
 COMPUTE = """
 arange box clock color combin comp cross cylinder diff_angle dot hat mag mag2 norm proj random
-rotate scene sign sphere textures vec vector
+rate rotate scene sign sphere textures vec vector
 """
 FOR_SHOW = """
 Camera GSversion GlowWidget Mouse RackOutline ToothOutline addpos adjust_axis adjust_up arrow
 attach_arrow attach_light attach_trail baseObj bumpmaps button canvas checkbox compound cone
 controls convert curve curveMethods distant_light ellipsoid event_return extrusion faces frame
 gcurve gdots ghbars gobj graph gs_version gvbars helix keysdown label local_light menu meta_canvas
-object_rotate path_object paths points pyramid quad radio rate rate_control ring rotatecp roundc
+object_rotate path_object paths points pyramid quad radio rate_control ring rotatecp roundc
 scalecp set_browser shape_object shapes shapespaths simple_sphere sleep slider standardAttributes
 text triangle version vertex winput wtext
 """

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from math import cos, degrees, radians, sin
 from typing import Any, TypedDict
 
-from vpython import box, color, cylinder, sphere, vector
+from vpython import box, color, cylinder, scene, sphere, vector
 
 # Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the
 # handout's little buffer.
@@ -146,15 +146,18 @@ PLAIN = {
 
 # VPython keeps every shape for ever, so a new cradle takes the shapes of the old one.
 discarded: defaultdict[type, list] = defaultdict(list)  # kind -> shapes
+in_use: dict[int, Any] = {}  # the other shapes that make_shape has made, by their id
 
 
 def make_shape(kind: type, **attributes: Any) -> Any:
     """Return a shape of this kind (box, ...) with these attributes: a used one, or a new one."""
-    if not discarded[kind]:
-        return kind(**attributes)
-    shape = discarded[kind].pop()
-    for name, value in {**PLAIN, **attributes}.items():
-        setattr(shape, name, value)
+    if discarded[kind]:
+        shape = discarded[kind].pop()
+        for name, value in {**PLAIN, **attributes}.items():
+            setattr(shape, name, value)
+    else:
+        shape = kind(**attributes)
+    in_use[id(shape)] = shape
     return shape
 
 
@@ -163,3 +166,14 @@ def discard(shapes: Iterable) -> None:
     for shape in shapes:
         shape.visible = False
         discarded[type(shape)].append(shape)
+        in_use.pop(id(shape), None)
+
+
+def discard_all(but: Iterable) -> None:
+    """Discard the shapes of make_shape, and hide all others, but not these."""
+    kept = {*map(id, but)}
+    # The last discarded one is used again first.
+    discard([shape for shape in reversed([*in_use.values()]) if id(shape) not in kept])
+    for shape in scene.objects:
+        if id(shape) not in kept:
+            shape.visible = False

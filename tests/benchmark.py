@@ -8,6 +8,7 @@ Compare numbers only within one run.
 
 import os
 import re
+import shutil
 import sys
 import tempfile
 import time
@@ -25,15 +26,20 @@ if __name__ == "__main__":
 import pymunk
 import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles
-from pages import ARGUMENTS, BOBS, CHROMIUM, draw, GIVE_NAMES, open_cradle, readout
-from programs import first_lines, PROGRAM, running
-from whole_cradles import advance, GOOD, HEADER, make_row
+from pages import ARGUMENTS, BOBS, CHROMIUM, draw, GIVE_NAMES
+from programs import PROGRAM, running
+from whole_cradles import advance, do_one_by_one, GOOD, HEADER, make_row
 
-from src.visualize_cradle_run import newton_cradle_tick
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
+
+# With these lines after its tick, a program prints the simulated time (s).
+COUNT = """
+        ticks += 1
+        if ticks % 1000 == 0:
+            print(ticks * DT, flush=True)"""
 
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
@@ -44,14 +50,9 @@ def our_cradle(dt, count=5):
 
 
 def slow_cradle(count):
-    """The same in single ticks of DT."""
+    """The same in single ticks of DT, as the programs do them for a changed function."""
     pend_list = make_row(count, THETA_INIT)
-
-    def move(seconds):
-        for _ in range(round(seconds / DT)):
-            newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
-
-    return move
+    return lambda seconds: do_one_by_one(pend_list, R_PARAM, DT, G, round(seconds / DT))
 
 
 def pymunk_cradle(dt, corrected):
@@ -170,17 +171,24 @@ def open_and_draw(page, address) -> None:
     draw(page, True)
 
 
+@contextmanager
+def shown(browser, *command):
+    """Start a program, and show it in a new tab; yield its process, and the tab."""
+    with (
+        running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as process,
+        new_tab(browser) as page,
+    ):
+        open_and_draw(page, re.search(r"http:\S+", process.stdout.readline())[0])
+        yield process, page
+
+
 def first_pictures(browser, times=5) -> None:
     """Print the seconds from the start of a program to its first picture, started this often."""
     commands = {"bare VPython": ("-c", "from vpython import sphere; sphere()"), "the cradle": ()}
     found = {name: [] for name in commands}
     for name, command in [*commands.items()] * times:
         start = time.perf_counter()
-        with (
-            running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as program,
-            new_tab(browser) as page,
-        ):
-            open_and_draw(page, re.search(r"http:\S+", program.stdout.readline())[0])
+        with shown(browser, *command):
             found[name].append(time.perf_counter() - start)
     rows = []
     for name, seconds in found.items():
@@ -188,32 +196,62 @@ def first_pictures(browser, times=5) -> None:
     show("Seconds to the first picture", ["program", "least", "median"], rows)
 
 
-def shares(browser, counts=(5, 50, 200), waits=(3, 8)) -> None:
-    """Print what cradles with these counts of pendula take of a core, while nothing is drawn.
+def shares(browser, counts=(5, 20), waits=(3, 8)) -> None:
+    """Print how fast cradles with these counts of pendula move, and their share of a core.
 
-    After the first wait (s), it is measured for the second one.
+    They have a student's right functions, on our page and on bare VPython. Nothing is drawn. After
+    the first wait (s), it is measured for the second one.
     """
     rows = []
     for count in counts:
         with tempfile.TemporaryDirectory() as folder:
-            csv = Path(folder, "cradle.csv")
-            csv.write_text(HEADER + GOOD * count)
-            with running(PROGRAM, str(csv)) as process, new_tab(browser) as page:
-                open_cradle(page, first_lines(process), count)
-                looks = []
-                for wait in waits:
-                    time.sleep(wait)
-                    looks.append(look(process, page))
-        span, spent, simulated = (after - before for before, after in zip(*looks, strict=True))
-        rows.append([count, f"{spent / span:.2f}", f"{simulated / span:.2f}"])
-    show("The page", ["pendula", "share of a core", "simulated s in 1 s"], rows)
+            for name, program in students_programs(Path(folder, "starter"), count).items():
+                with shown(browser, program) as (process, page):
+                    draw(page, False)
+                    looks = [look(process, wait) for wait in waits]
+                span, spent, simulated = (b - a for a, b in zip(*looks, strict=True))
+                rows.append([name, count, f"{simulated / span:.2f}", f"{spent / span:.2f}"])
+    head = ["page", "pendula", "simulated s in 1 s", "share of a core"]
+    show("The functions of a student", head, rows)
 
 
-def look(process, page) -> tuple[float, float, float]:
-    """Return the time now, the processor time of a process, and the time of its cradle (s)."""
+def students_programs(folder, count) -> dict[str, Path]:
+    """Make a starter with right functions and these pendula; return its program for each page.
+
+    Each program prints the simulated time (s).
+    """
+    # Not earlier: the grader's modules put a stand-in in VPython's place
+    from make_starter import make_starter
+    from students import change, MAKE, TICK, write
+
+    from grading.handout import FUNCTIONS
+
+    make_starter(folder)
+    write(folder, *FUNCTIONS)
+    (folder / "newton_cradle_pends.csv").write_text(HEADER + GOOD * count)
+    ours = folder / "src" / PROGRAM.name
+    change(ours, MAKE, f"ticks = 0\n    {MAKE}")
+    change(ours, TICK, TICK + COUNT)
+    bare = ours.with_name("bare_run.py")
+    shutil.copy(ours, bare)
+    change(bare, "import begin_page", "import begin")
+    change(bare, "while is_running(pend_list):", "while True:\n        vpython.rate(1 / DT)")
+    change(bare, "ticks = 0", "import vpython\n\n    ticks = 0")
+    return {"ours": ours, "VPython's own": bare}
+
+
+def look(process, wait) -> tuple[float, float, float]:
+    """Wait (s); return the time, a process's processor time, and the time of its cradle (s)."""
+    until = time.perf_counter() + wait
+    now = simulated = 0.0
+    while now < until:
+        line = process.stdout.readline()
+        now = time.perf_counter()
+        if line[0].isdigit():  # not of a page's address
+            simulated = float(line)
     # The user's and the system's
     spent = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])
-    return time.perf_counter(), sum(spent) / os.sysconf("SC_CLK_TCK"), readout(page, "t")
+    return now, sum(spent) / os.sysconf("SC_CLK_TCK"), simulated
 
 
 def saved_run(browser, seconds=30) -> None:

@@ -6,7 +6,6 @@ tests.
 
 import ast
 import os
-import re
 import shutil
 import sys
 from pathlib import Path
@@ -17,7 +16,7 @@ if __name__ == "__main__":
 
 from grading.begin import ROOT
 
-from grading.handout import FUNCTIONS, SUITES
+from grading.handout import FUNCTIONS, GIVEN, IMPORTS, SUITES
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
 from support.start.output import in_one_line
@@ -26,24 +25,17 @@ FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.to
 FILES += [".devcontainer/devcontainer.json"]
 FILES += [f"tests/{suite}.py" for suite in SUITES.values()]
 FOLDERS = ["src", "support", "tests/grading", "tests/line_by_line"]
-# src/README.md, the handout's loop, the fast path, double cradles.
-WITH_ANSWERS = {
-    "README.md",
-    "plain_cradle_run.py",
-    "many_ticks.py",
-    "certainty.py",
-    "double_collisions.py",
-}
+# src/README.md, the fast path, double cradles
+WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}
 PICTURES = {"accuracy.png", "double.png", "experiment.png", "swing.png"}  # of the READMEs
 LEFT_OUT = {"__pycache__", *PICTURES, *WITH_ANSWERS}
-# Files whose functions lose their bodies, and these functions: also two of the honor roll without a
-# check.
-STUDENTS_FILES = {
-    *(function.file for function in FUNCTIONS.values()),
-    "src/visualize_double_cradle_run.py",
-}
+# Files that lose what students write, and the functions that lose their bodies: also one of the
+# honor roll without a check.
+STUDENTS_FILES = {function.file for function in FUNCTIONS.values()}
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
 PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
+# What students write in the program: a statement of each of these types
+PROGRAM = {ast.Assign: "make pend_list", ast.Expr: "one tick"}
 
 # The first lines of a file without a program, and the module that they import.
 NO_PROGRAM = """if __name__ == "__main__":
@@ -61,16 +53,6 @@ from support.start import program
 program.refuse_to_run()
 """
 
-# Patterns of what the files of src/ lose: imports, arguments and sentences that go beyond the
-# handout, and how the double cradle integrates.
-CUT = (
-    r" *from \S+ import (?:(?:cos|many_ticks|pairwise)(?:, |\n))+\n?",
-    r"from src.double_collisions import .*\n",
-    r", (?:\*\*page\.rule|approaching_only=\w+|many_ticks)(?=\))",
-    r'\n+    (?:With approaching_only)[^"]*(?=\n    "{3})',
-    r"(?s)\n    The motion is chaotic.*?(?=\"{3})|def (?:collide_pairs|moved|rates)\(.*?\n\n\n",
-)
-
 
 @ended_quietly()
 def main() -> None:
@@ -81,8 +63,7 @@ def main() -> None:
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         parser.error(f"argument FOLDER: found '{folder}', allowed is a new or an empty folder")
     make_starter(folder)
-    functions = f"Students write {len(FUNCTIONS)} functions that pytest checks."
-    print(in_one_line(f"{folder} is ready. {functions} Its README.md says more."))
+    print(in_one_line(f"{folder} is ready. Its README.md says what your students write."))
 
 
 def make_starter(folder) -> None:
@@ -93,7 +74,7 @@ def make_starter(folder) -> None:
     files = files_of_the_project()
     texts = texts_of_its_own()
     for file in files:
-        if file.match("src/*.py"):
+        if file.as_posix() in STUDENTS_FILES:
             texts[file] = for_students(ROOT / file)
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
@@ -130,8 +111,7 @@ def texts_of_its_own() -> dict[Path, str]:
         return (ROOT / name).read_text(encoding="utf-8")
 
     rows = [
-        f"| {function.tier} | `{name}` | `{function.file}` |"
-        for name, function in FUNCTIONS.items()
+        f"| {function.tier} | {name} | `{function.file}` |" for name, function in FUNCTIONS.items()
     ]
     project, _, _ = read("pyproject.toml").partition("\n# A plain pytest")
     return {
@@ -157,20 +137,22 @@ def for_students(path) -> str:
     The docstrings of their functions stay.
     """
     source = path.read_text(encoding="utf-8")
-    for pattern in CUT:
-        source = re.sub(pattern, "", source)
-    if f"src/{path.name}" in STUDENTS_FILES and "__main__" not in source:
-        source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
-    if f"src/{path.name}" not in STUDENTS_FILES:
+    file = f"src/{path.name}"
+    if file not in STUDENTS_FILES:
         return source
+    used_before = used_names(source)
     lines = source.splitlines(keepends=True)
-    for function in reversed(ast.parse(source).body):
-        if isinstance(function, ast.FunctionDef) and function.name in STUDENTS_FUNCTIONS:
-            for gap in reversed(gaps(function)):
-                comment = f"# Write your code here, in place of the next line{gap.task}."
-                stub = f'raise NotImplementedError("{function.name} is not written yet")'
-                lines[gap.begin : gap.end] = [f"{gap.indent}{line}\n" for line in (comment, stub)]
-    return "".join(lines)
+    for gap in reversed(gaps(source)):
+        stub = f'raise NotImplementedError("{gap.name} is not written yet")'
+        lines[gap.begin : gap.end] = [
+            f"{gap.indent}# Write your code here, in place of the next line{gap.task}.\n",
+            f"{gap.indent}{stub}\n",
+        ]
+    kept = {*FUNCTIONS, *GIVEN, *IMPORTS[file].split()}
+    source = without_unused("".join(lines), used_before - kept)
+    if "__main__" not in source:
+        source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
+    return source
 
 
 class Gap(NamedTuple):
@@ -178,25 +160,67 @@ class Gap(NamedTuple):
 
     begin: int
     end: int
+    name: str  # of the function
     indent: str
-    task: str  # of these lines, for the comment
+    task: str = ""  # of these lines, for the comment
 
 
-def gaps(function) -> list[Gap]:
-    """Return what students write of a function: its body or, of main, the two calls of theirs."""
-    if function.name != "main":
-        # The docstring is the first statement
-        provided = function.body[PROVIDED.get(function.name, 0)]
-        return [Gap(provided.end_lineno, function.end_lineno, " " * 4, "")]
-    tasks = {ast.Assign: ": make pend_list", ast.Expr: ": one tick"}
+def gaps(source) -> list[Gap]:
+    """Return what students write in a file: the bodies of functions, and parts of the program."""
     found = []
-    for node in ast.walk(function):
-        if type(node) in tasks and isinstance(node.value, ast.Call):
-            is_of_a_function = isinstance(node.value.func, ast.Name)  # not page.show
-            if is_of_a_function:
-                indent = " " * node.col_offset
-                found.append(Gap(node.lineno - 1, node.end_lineno, indent, tasks[type(node)]))
+    for statement in ast.parse(source).body:
+        if isinstance(statement, ast.FunctionDef) and statement.name in STUDENTS_FUNCTIONS:
+            # The docstring is the first statement
+            provided = statement.body[PROVIDED.get(statement.name, 0)]
+            gap = Gap(provided.end_lineno, statement.end_lineno, statement.name, " " * 4)
+            found.append(gap)
+        elif isinstance(statement, ast.If):  # of __name__
+            for part in ast.walk(statement):
+                if type(part) in PROGRAM:
+                    indent = " " * part.col_offset
+                    task = f": {PROGRAM[type(part)]}"
+                    gap = Gap(part.lineno - 1, part.end_lineno, "the program", indent, task)
+                    found.append(gap)
     return found
+
+
+def used_names(source) -> set[str]:
+    """Return the names that the code of a file uses."""
+    nodes = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Name)]
+    return {node.id for node in nodes if isinstance(node.ctx, ast.Load)}
+
+
+def without_unused(source, helpers) -> str:
+    """Return the source without the imports, functions and values of helpers that nothing uses."""
+    unused = helpers - used_names(source)
+    for statement in ast.parse(source).body:
+        names = names_of(statement)
+        if names and names <= unused:
+            # Again, for the helpers that only this one has used
+            return without_unused(without(source, statement), helpers)
+    return source
+
+
+def names_of(statement) -> set[str]:
+    """Return the names that a statement outside of functions defines."""
+    if isinstance(statement, ast.FunctionDef):
+        return {statement.name}
+    if isinstance(statement, ast.Import | ast.ImportFrom):
+        return {alias.asname or alias.name for alias in statement.names}
+    if isinstance(statement, ast.AnnAssign):
+        return {ast.unparse(statement.target)}
+    return set()
+
+
+def without(source, statement) -> str:
+    """Return the source without a statement; the longer gap of those above and below it stays."""
+    lines = source.splitlines(keepends=True)
+    above = "".join(lines[: statement.lineno - 1])
+    below = "".join(lines[statement.end_lineno :])
+    text_above, text_below = above.rstrip("\n"), below.lstrip("\n")
+    gap_above = above.removeprefix(text_above)
+    gap_below = "\n" + below.removesuffix(text_below)
+    return text_above + max(gap_above, gap_below) + text_below
 
 
 if __name__ == "__main__":

@@ -7,7 +7,7 @@ if __name__ == "__main__":
 
 from math import pi
 
-from grading.check_page import CheckPage, FOLDER
+from grading.check_player import CheckPlayer
 from grading.comparing import same
 from grading.cradles import (
     csv_of,
@@ -21,10 +21,12 @@ from grading.cradles import (
     shapes,
     touching,
 )
-from grading.grader import check, expect, steps, usable_result
+from grading.grader import check, expect, runner, steps, usable_result
+from grading.handout import PROGRAM
 from grading.messages import Expected
+from grading.present import present
 from grading.subject import Each, Several, Subject
-from line_by_line.words import text_of
+from line_by_line.words import plural, text_of
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 
@@ -36,8 +38,8 @@ steps(
     "sort_pages(book, 3)  # nothing comes back: the call changes the book",
 )
 steps(
-    "main",
-    "make_newton_cradle makes pend_list; page.show shows it, once; in the while loop, "
+    PROGRAM,
+    "make_newton_cradle makes pend_list, once, before the while loop; in the loop, "
     "newton_cradle_tick moves it.",
     "books = read_all(path)  # calls a function, and stores its result",
     "sort_pages(book, 3)  # nothing comes back: the call changes the book",
@@ -195,10 +197,13 @@ def test_a_cradle_passes_the_swing_on():
     )
 
 
+# --- the program, below if __name__ == "__main__" ------------------------------------------------
+
+
 def swings(ticks):
     """Return (omega, theta) at the start and after each tick.
 
-    They are the student's: main waits for angle_update.
+    They are the student's: the program waits for angle_update.
     """
     states = [(0.0, THETA_INIT)]
     for _ in range(ticks):
@@ -207,23 +212,26 @@ def swings(ticks):
     return states
 
 
-@check("main")
-def test_the_cradle_is_made_and_shown():
+@check(PROGRAM)
+def test_the_cradle_is_made():
     """Use a helper function you wrote before to create the pend_list."""
-    page = CheckPage(0)
+    player = CheckPlayer(0)
 
     def see(_):
-        cradles = []
-        for cradle in page.cradles:
-            cradles.append([(pend["theta"], length_of_cord(pend)) for pend in cradle])
-        return cradles
+        return [(pend["theta"], length_of_cord(pend)) for pend in player.pend_list]
 
     def length_of_cord(pend):
         return pend["objects"][2].axis.mag if "objects" in pend else None
 
     def is_made(found):
-        rows = [(0 if i else THETA_INIT, abs(R_PARAM)) for i in range(len(found[0]))]
-        return rows and same(found, [rows])  # one cradle was shown
+        if has_angle(found, THETA_INIT):
+            return True
+        _, (_, theta) = swings(1)  # a loop with rate may do a tick before it
+        return has_angle(found, theta)
+
+    def has_angle(found, theta):
+        others = [(0, abs(R_PARAM))] * (len(found) - 1)
+        return same(found, [(theta, abs(R_PARAM)), *others])
 
     advice = [
         (
@@ -239,75 +247,86 @@ def test_the_cradle_is_made_and_shown():
         f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
     )
     expect(
-        "main",
-        page,
-        expected=Expected(thetas_and_cords, is_made, like=[[]]),
+        PROGRAM,
+        player,
+        expected=Expected(thetas_and_cords, is_made),
         see=see,
-        what=Subject("theta and cord length of each pendulum on the page"),
+        what=Subject("theta and cord length of each pendulum"),
         advice=advice,
-        results=[([], "main has not called page.show: the page has no cradle.")],
+        results=[([], "No loop with a cradle has called is_running, or rate.")],
     )
+    old = shapes()
+
+    def see_left_over(_):
+        parts = [part for pend in player.pend_list for part in pend["objects"]]
+        return left_over(old, parts)
+
+    expect(PROGRAM, player, see=see_left_over, **LEFT_OVER)
 
 
-@check("main")
+@check(PROGRAM)
 def test_the_cradle_ticks():
     """In the while loop, call a helper function to perform a single tick."""
-    page = CheckPage(3)
+
+    def release(pend_list):
+        for pend in pend_list[:1]:  # your program may have another angle
+            pend.update(theta=THETA_INIT, omega=0.0)
+
+    player = CheckPlayer(3, change=release)
     states = []
     for i in range(4):
-        after = f"after {i} ticks"
+        after = f"after {plural(i, 'tick', 'ticks')}"
         states.append(Several((Subject(f"omega {after}"), Subject(f"theta {after}"))))
     what = Several(tuple(states), "omega and theta of the first pendulum after each tick")
-    expect("main", page, expected=swings(3), see=lambda _: page.states, what=what)
+    right = swings(3)
+    results = [
+        ([*right[:2], right[1], right[1]], "This is the result if each turn makes a new cradle."),
+        (swings(6)[::2], "This is the result of two ticks in each turn."),
+        (lambda found: len(found) < 4, "The program ended by itself before the check was over."),
+    ]
+    expect(
+        PROGRAM,
+        player,
+        expected=right,
+        see=lambda _: [pendula[0] for pendula in player.states],
+        what=what,
+        results=results,
+    )
 
 
-@check("main")
-def test_each_cradle_that_is_wanted_is_a_new_one():
+@check(PROGRAM)
+def test_a_new_run_reads_the_csv_again():
     """Creates the Newton's cradle visualisation from data in the CSV file."""
-    page = CheckPage(2, 1)
-    what = Subject("omega and theta before the last tick, and after it")
-    expect("main", page, expected=swings(1), see=lambda _: page.states[-2:], what=what, times=2)
-    page = CheckPage(1, 0)
-    old = shapes()
-    expect("main", page, see=lambda _: left_over(old, page.parts), times=2, **LEFT_OVER)
+    files = [*runner.shipped.parent.glob("*.csv")]  # NC_FP, and your own
 
-    # The file changes between the first cradle and the second one.
-    before = MIXED[:2]
-    after = [{**row, "mass": row["mass"] + 1} for row in MIXED]
-    file = FOLDER / "changing.csv"
-    file.write_text(csv_of(before))
-    masses = []
+    def write(rows):
+        for file in files:
+            file.write_text(csv_of(rows))
+
+    numbers = []
+    are_those_of_a_file = []
 
     def change(pend_list):
-        masses.append(masses_of(pend_list))
-        file.write_text(csv_of(after))
+        numbers.append(len(pend_list))
+        rows = [len(file.read_text().splitlines()) - 1 for file in files]
+        are_those_of_a_file.append(numbers[-1] in rows)  # the program may have written one
+        write(MIXED)
 
-    def are_new(found):
-        first, second = found
-        if not same(first, masses_of(before)):  # main reads another file than page.csv
-            return same(second, first)
-        return same(second, masses_of(after))
+    def are_new(_):
+        return are_those_of_a_file == [True, True] or present.has_read_real_csv
 
-    always_same = (
-        "main always reads NC_FP. With page.csv, experiments and the CSV of a command would work, "
-        "too."
-    )
+    write(MIXED[:2])
     expect(
-        "main",
-        CheckPage(0, 0, change=change, csv=str(file)),
-        expected=Expected("for each cradle, those that the file has then", are_new),
-        see=lambda _: masses,
-        what=Subject("masses of the first cradle, and of the second one"),
-        advice=[(lambda _: masses[0] != masses_of(before), always_same)],
+        PROGRAM,
+        CheckPlayer(1, change),
+        expected=Expected("[2, 3], as many as NC_FP then has", are_new),
+        see=lambda _: numbers,
+        what=Subject("number of pendula in each run"),
         times=2,
     )
 
 
-def masses_of(pend_list):
-    return [pend["mass"] for pend in pend_list]
-
-
-@check("main")
+@check(PROGRAM)
 def test_in_the_cradle_bobs_collide():
     """This is where you put everything you have written so far to use."""
 
@@ -320,11 +339,11 @@ def test_in_the_cradle_bobs_collide():
     def is_passed_on(omegas):
         return same(omegas, [*[0.0] * (len(omegas) - 1), 10.0])
 
-    page = CheckPage(1, change=push)
+    player = CheckPlayer(1, change=push)
     expect(
-        "main",
-        page,
+        PROGRAM,
+        player,
         expected=Expected("10 for the last pendulum, 0 for all others", is_passed_on),
-        see=lambda _: [pend["omega"] for pend in page.cradles[0]],
+        see=lambda _: [omega for omega, _ in player.states[-1]],
         what=Each(("omega",)),
     )

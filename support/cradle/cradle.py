@@ -1,27 +1,19 @@
-"""The cradle of a program: main makes and moves it; this class releases and measures it."""
+"""The cradle of a program, which makes and moves it; this class releases and measures it."""
 
-from argparse import Namespace
-from collections import ChainMap
-from collections.abc import Callable, Mapping, Sequence
-from inspect import signature
+from collections.abc import Mapping, Sequence
 from itertools import accumulate, takewhile
 from math import pi, sqrt
-from types import ModuleType
+from typing import Any
 
 from vpython import vector
 
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import move, push_others
-from support.cradle.settings import Source
 from support.energy import bob_motions, energies, momentum
 from support.files.experiments import Hidden
-from support.pendulum import cord_angles, discard, Pendulum
-from support.start.mistake import MistakeError, require_list, require_numbers, require_pendula
-from support.start.preview import unwritten_in
-
-UNIFORM_E = "uniform_e_newton_cradle"
-UNIFORM_MASS = "uniform_mass_newton_cradle"
+from support.pendulum import cord_angles, Pendulum
+from support.start.mistake import MistakeError, require_numbers, require_pendula
 
 
 class Cradle:
@@ -41,31 +33,10 @@ class Cradle:
     # The names of the functions of this cradle.
     make_name = "make_newton_cradle"
     tick_name = "newton_cradle_tick"
-    # The first one that the tick's module has lets two pendula collide.
+    # Of these, the first one in the tick's module lets two pendula collide.
     collide_names: Sequence[str] = ("handle_two_bobs",)
-    has_rule = True  # whether the handout has a rule for separating bobs
 
-    def __init__(
-        self,
-        main: Callable,
-        special_cradles: ModuleType,
-        options: Namespace,
-        many_ticks: ModuleType | None = None,
-    ):
-        """Find the functions that make and move the pendula, in main's module and special_cradles.
-
-        options has elastic, inelastic, e and mass from support/start/options.py. many_ticks is the
-        module of the fast path, or None.
-        """
-        self.scope = ChainMap(main.__globals__, vars(special_cradles))
-        self.many_ticks = many_ticks
-        self.mass: float | None = options.mass  # kg, at the start
-        self.needs = {"extract_and_convert", self.make_name}  # or there is no picture
-        if self.mass is not None:
-            self.needs.add(UNIFORM_MASS)
-        self.can_set_e = UNIFORM_E not in unwritten_in("special_cradles")  # of all pendula
-        self.e_source = self.e_source_of(options)  # at the start; None: the e of the CSV
-
+    def __init__(self) -> None:
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
         self.hidden: Hidden | None = None  # a class finds it: nothing shows it
@@ -77,50 +48,24 @@ class Cradle:
         # s: the longest time between two hits of one series. A tick can let a hit go on by only
         # one bob.
         self.series_pause = max(self.period / 180, 3 * self.dt)
-        self.make_function = self.scope.get(self.make_name, main)
-        self.tick_function = self.scope.get(self.tick_name, main)
-        # The names of the tick's module, in which it finds the function that collides
-        self.tick_names = getattr(self.tick_function, "__globals__", main.__globals__)
-        present = [name for name in self.collide_names if name in self.tick_names]
-        self.collide_name = (present or self.collide_names)[0]
-        collide = self.tick_names.get(self.collide_name, self.tick_function)
-        self.takes_rule = takes_rule(self.tick_function) and takes_rule(collide)
-
-    def e_source_of(self, options: Namespace) -> Source | None:
-        """Return the source of the e that options name, or None; note which functions it needs."""
-        for function, is_chosen in (
-            ("elastic_newton_cradle", options.elastic),
-            ("inelastic_newton_cradle", options.inelastic),
-        ):
-            if is_chosen:
-                self.needs |= {function, UNIFORM_E}
-                return Source(self.scope[function])
-        if options.e is None:
-            return None
-        self.needs.add(UNIFORM_E)
-        return self.uniform_e(options.e)
-
-    def uniform_e(self, e: float) -> Source:
-        """Return the source of pendula that all have this e."""
-        return Source(self.scope[UNIFORM_E], (e,))
-
-    def slow_remark(self) -> str:
-        """Return why the program is slow although nobody has changed a function, or nothing."""
-        return self.many_ticks.slow_remark(self.scope) if self.many_ticks else ""
+        self.find_functions({})
 
     # --- a new cradle --------------------------------------------------------------------------
 
-    def give_back(self) -> None:
-        """Hide the objects of the present pendula; the next pendula reuse them."""
-        for pend in reversed(self.pend_list):  # the last discarded object is reused first
-            discard(pend["objects"])
-        self.pend_list = []
+    def find_functions(self, names: dict[str, Any]) -> None:
+        """Find the functions that make and move the pendula, among the names of a program."""
+        self.make_function = names.get(self.make_name, self.make_name)
+        self.tick_function = names.get(self.tick_name, self.tick_name)
+        # The names of the tick's module, in which it finds the function that collides
+        self.tick_names = getattr(self.tick_function, "__globals__", names)
+        present = [name for name in self.collide_names if name in self.tick_names]
+        self.collide_name = (present or self.collide_names)[0]
 
     def accept(self, pend_list: list[Pendulum], columns: Sequence[str]) -> None:
         """Take pend_list, made from a CSV with these columns, as the new cradle.
 
-        It is the list of main, which the ticks change. Raises a MistakeError if it is no list of
-        complete pendula.
+        It is the list of the program, which the ticks change. Raises a MistakeError if it is no
+        list of complete pendula.
         """
         keys = (*SETTABLE, *self.angle_keys, *self.rate_keys)
         require_pendula(self.make_function, pend_list, keys, 1 + 2 * self.cord_count)
@@ -149,28 +94,6 @@ class Cradle:
                     )
         return ""
 
-    def adopt(self, key: str, source: Source, csv: str) -> None:
-        """Set pend[key] of each pendulum to that of the pendula of this source, from this CSV.
-
-        Raises a MistakeError if it makes no list of pendula, or if require_numbers does.
-        """
-        others = source.make(csv, *source.arguments)
-        require_list(source.make, others, "return a list of dictionaries; it returned")
-        require_numbers(source.make, others, [key])
-        # main may have read a different file.
-        for pend, other in zip(self.pend_list, others, strict=False):
-            pend[key] = other[key]
-
-    def use_mass(self, mass: float | None, csv: str) -> None:
-        """Set the mass (kg) of all pendula, unless it is None; csv is a path."""
-        if mass is not None:
-            self.adopt("mass", Source(self.scope[UNIFORM_MASS], (mass,)), csv)
-
-    def use_e_of(self, source: Source | None, csv: str) -> None:
-        """Set the e of all pendula to those of a source, unless it is None; csv is a path."""
-        if source:
-            self.adopt("e", source, csv)
-
     # --- the release ---------------------------------------------------------------------------
 
     def note_made_angles(self) -> None:
@@ -181,7 +104,7 @@ class Cradle:
         self.made_lifted = len([*takewhile(bool, lifted)])
 
     def release_angles(self, angles: Sequence[float | None]) -> list[float]:
-        """Return these angles (rad), with that of main for each None."""
+        """Return these angles (rad), with that of the program for each None."""
         return [
             made if angle is None else angle
             for angle, made in zip(angles, self.made_angles, strict=True)
@@ -302,8 +225,3 @@ class Cradle:
     def momentum(self) -> float:
         """Return the momentum to the right (kg m/s)."""
         return momentum(self.pend_list, R_PARAM)
-
-
-def takes_rule(function: Callable) -> bool:
-    """Return whether a function has the parameter approaching_only."""
-    return "approaching_only" in signature(function).parameters

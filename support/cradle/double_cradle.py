@@ -26,7 +26,6 @@ class DoubleCradle(Cradle):
     tick_name = "double_cradle_tick"
     # The second one lets only the upper bobs collide.
     collide_names = ("handle_two_double_bobs", "handle_two_bobs")
-    has_rule = False
 
     def approach(self, left: Pendulum, right: Pendulum) -> float:
         """Return the speed (m/s) at which the nearest two bobs of two pendula approach."""

@@ -1,15 +1,16 @@
-"""Hits of pendula: how they are noted while the loop does single ticks.
+"""Hits of pendula, and the rule of the programs: only bobs that approach each other collide.
 
-Slow hits, the sound and the measurement of an experiment all read the same record, Hit. The fast
-path (many_ticks.py) makes it, too.
+Slow hits, the sound and the measurement of an experiment all read the same record, Hit.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import ExitStack
 from functools import partial
+from math import cos
 from typing import Any, NamedTuple
 
 from support.cradle.cradle import Cradle
+from support.cradle.settings import NextCradle
 from support.pendulum import Pendulum
 
 
@@ -20,60 +21,105 @@ class Hit(NamedTuple):
     left: int  # indices of pendula
     right: int
     speed: float  # at which they approached each other (m/s)
-    # Copies of the two pendula, the left one first. The fast path makes none.
-    before: tuple[Pendulum, ...] = ()
-    after: tuple[Pendulum, ...] = ()
+    # Copies of the two pendula, the left one first.
+    before: tuple[Pendulum, Pendulum]
+    after: tuple[Pendulum, Pendulum]
 
 
 class Hits:
-    """Notes the hits of single ticks: it stands in the place of the function that collides."""
+    """Stands in the place of the function that lets two pendula collide, while a program runs.
 
-    def __init__(self, cradle: Cradle):
+    The function gets only single pendula whose bobs approach each other. Hits are noted.
+    """
+
+    def __init__(self, cradle: Cradle, next_cradle: NextCradle):
+        """next_cradle.separating says whether the function gets separating bobs, too."""
         self.cradle = cradle
+        self.next_cradle = next_cradle
         self.noted: list[Hit] = []  # of the present batch
         self.tick = 0  # the number of the present tick
+        self.was_asked = False  # whether a tick of this run has called the function
+        self.has_rule = False  # whether the function gets only bobs that approach
+        self.pendula: list[Pendulum] = []  # those with which the run began
+        self.indices: dict[int, int] = {}  # of each one's id -> its index
         self.replaced = ExitStack()  # puts the function back
 
     def listen(self) -> None:
-        """Note the hits from now on, until stop."""
-        names = self.cradle.tick_names
-        name = self.cradle.collide_name
+        """Stand in for the function from now on, until stop; a run begins with this."""
+        cradle = self.cradle
+        names = cradle.tick_names
+        name = cradle.collide_name
+        self.tick = 0
+        self.was_asked = False
+        self.has_rule = cradle.cord_count == 1
+        self.pendula = [*cradle.pend_list]  # so no other dictionary gets one of these ids
+        self.indices = {id(pend): index for index, pend in enumerate(self.pendula)}
         if name in names:
             self.replaced.callback(names.__setitem__, name, names[name])
-            names[name] = partial(self.note_hit, names[name])
+            names[name] = partial(self.collide, names[name])
 
     def stop(self) -> None:
         """Put the function back."""
         self.replaced.close()
 
-    def note_hit(self, collide: Callable, /, *arguments: Any, **named: Any) -> Any:
-        """Return the result of collide; note a hit if it changes the velocities of two pendula."""
-        values = (*arguments, *named.values())
-        pendula = [value for value in values if isinstance(value, dict)]
-        before = [dict(pend) for pend in pendula]
-        result = collide(*arguments, **named)
-        if self.rates(pendula) != self.rates(before):
-            indices = [self.index_of(pend) for pend in pendula]
-            if len(set(indices)) == 2 and None not in indices:
-                self.add(indices, before, [dict(pend) for pend in pendula])
+    def collide(self, function: Callable, /, *arguments: Any, **named: Any) -> Any:
+        """Return the result of the function, and note a hit of two pendula.
+
+        Do not call it for two pendula whose bobs do not approach each other. If its arguments are
+        not two pendula, the function shows what is wrong.
+        """
+        self.was_asked = True
+        pair = self.pair_among(arguments, named)
+        if pair is None:
+            return function(*arguments, **named)
+        left, right, index1, index2 = pair
+        if self.has_rule and not self.next_cradle.separating and not are_approaching(left, right):
+            return None
+        before = dict(left), dict(right)
+        result = function(*arguments, **named)
+        for key in self.cradle.rate_keys:
+            if left.get(key) != before[0].get(key) or right.get(key) != before[1].get(key):
+                speed = self.cradle.approach(*before)
+                after = dict(left), dict(right)
+                self.noted.append(Hit(self.tick, index1, index2, speed, before, after))
+                break
         return result
 
-    def rates(self, pendula: list[Pendulum]) -> list:
-        """Return the angular velocities (rad/s) of these pendula."""
-        return [pend.get(key) for pend in pendula for key in self.cradle.rate_keys]
+    def pair_among(
+        self, arguments: tuple, named: dict[str, Any]
+    ) -> tuple[Pendulum, Pendulum, int, int] | None:
+        """Return the two pendula among the arguments of a call, the left one first, or None.
 
-    def index_of(self, pend: Pendulum) -> int | None:
-        """Return the index of a pendulum by the place of its axle: so it can also be a copy."""
-        objects = pend.get("objects")
-        if not objects:
+        Their indices follow.
+        """
+        try:  # the handout's call is the usual one
+            pend1, pend2, _ = arguments
+            index1, index2 = self.indices[id(pend1)], self.indices[id(pend2)]
+        except (KeyError, ValueError):
+            values = (*arguments, *named.values())
+            try:
+                pend1, pend2 = [value for value in values if isinstance(value, dict)]
+                index1, index2 = self.index_of(pend1), self.index_of(pend2)
+            except (AttributeError, LookupError, TypeError, ValueError):
+                return None
+        if index1 == index2:
             return None
-        return self.cradle.places.get(tuple(objects[0].pos.value))
+        if index1 > index2:
+            return pend2, pend1, index2, index1
+        return pend1, pend2, index1, index2
 
-    def add(self, indices: Sequence, before: Sequence[Pendulum], after: Sequence[Pendulum]) -> None:
-        """Note a hit of two pendula, in any order: their indices, and copies of them."""
-        left, right = indices
-        if left > right:
-            left, right = right, left
-            before, after = before[::-1], after[::-1]
-        speed = self.cradle.approach(*before)
-        self.noted.append(Hit(self.tick, left, right, speed, tuple(before), tuple(after)))
+    def index_of(self, pend: Pendulum) -> int:
+        """Return the index of a pendulum, or of a copy, by the place of its axle."""
+        return self.cradle.places[tuple(pend["objects"][0].pos.value)]
+
+
+def are_approaching(left: Pendulum, right: Pendulum) -> bool:
+    """Return whether the bobs of two pendula approach each other, also if these are no pendula.
+
+    Touching bobs hang side by side, at nearly the same angle. So this compares their velocities
+    along x, r_param omega cos(theta).
+    """
+    try:
+        return left["omega"] * cos(left["theta"]) > right["omega"] * cos(right["theta"])
+    except (ArithmeticError, LookupError, TypeError, ValueError):
+        return True

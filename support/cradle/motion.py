@@ -99,10 +99,7 @@ class Motion:
 
 
 def keeps_momentum(hit: Hit) -> bool:
-    """Return whether a hit has kept the momentum of its pendula.
-
-    The fast path, which copies no pendula, has only hits of handle_collision as shipped: these do.
-    """
+    """Return whether a hit has kept the momentum of its pendula."""
     size = sum(abs(momentum([pend], R_PARAM)) for pend in (*hit.before, *hit.after))
     change = momentum([*hit.after], R_PARAM) - momentum([*hit.before], R_PARAM)
     return abs(change) <= KEPT * size

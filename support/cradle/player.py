@@ -1,45 +1,53 @@
 """The player shows the cradle of a program, and tells the program's loop when to do a tick.
 
-The loop is main in src/visualize_cradle_run.py; run calls it once for each cradle. A player is the
-argument page of main: the cradle's page in the browser (support/page/viewer.py), or its lines or
-its data file (support/terminal/players.py).
-
-The loop asks is_running() before each tick. When no tick is due, the player does a frame: it shows
-the cradle, and plans the next ticks (plan), or wants another cradle (next_cradle.want). The loop
-then ends, and begins again.
+run runs the program once for each cradle. Its loop asks is_running (support/simulation.py) before
+each tick, and this asks the player: the page in the browser (support/page/viewer.py), or lines or a
+data file (support/terminal/players.py). The first question shows the cradle. When no tick is due,
+the player does a frame: it shows the cradle, and plans the next ticks (plan), or wants another
+cradle (next_cradle.want): the run is then over.
 """
 
-from contextlib import ExitStack
+from bdb import BdbQuit
+from contextlib import suppress
+from functools import partial
 from math import inf
+from pathlib import Path
 from time import perf_counter
+from typing import Any
 
+from support import constants, simulation
+from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hits
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
 from support.cradle.settings import NextCradle, Settings
-from support.files.valid_cradle import file_for_pandas
-from support.main_page import Loop, Page
-from support.start.early import import_now
+from support.files.data_file import written
+from support.files.source_files import fresh_modules, main_module, run_file
+from support.files.valid_cradle import CradleCsv, file_for_pandas, numbers_in
+from support.pendulum import discard_all, Pendulum
 from support.start.end import end_if_signalled, SignalError
 from support.start.mistake import MistakeError
+from support.start.preview import missing_in, preview, UnwrittenError
+
+FAST_PATH: Any = None
+with suppress(ImportError):  # a student gets the project without it
+    from support.cradle import many_ticks
+
+    FAST_PATH = many_ticks
 
 # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends.
 ENDLESS_AFTER = 1.0
-# Questions after is_running was False: a loop in a loop asks again, but not so often.
-MOST_REFUSED = 1000
 PLAYER_FILE = __file__  # its frames in a traceback are not a student's
+SLOW = "So the program does one tick at a time, which is much slower."
+COPY_WRITTEN = "In this run, NC_FP is a copy of the CSV: the program has written into the copy."
 
 
-class Player(Page):
+class Player:
     """Answers the loop's questions, and keeps the motion of the cradle.
 
-    The ticks of a frame are done in batches, so that take_sample is called every `step` ticks. The
-    fast path does a batch in one call, if its result is certain to be that of single ticks in the
-    loop.
+    The ticks of a frame are done in batches, so that take_sample is called every `step` ticks.
     """
-
-    loop: Loop  # the loop, which asks; run sets it
 
     def __init__(
         self,
@@ -54,17 +62,20 @@ class Player(Page):
         pace keeps the time; without one, it is real time.
         """
         self.cradle = cradle
-        self.next_cradle = NextCradle(settings, separating=not cradle.takes_rule)
+        self.next_cradle = NextCradle(settings)
         self.motion = Motion(cradle)
-        self.hits = Hits(cradle)
+        self.hits = Hits(cradle, self.next_cradle)
         self.pace = pace or RealTime(cradle.dt)
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
-        self.path = ""  # of the CSV, or of a copy, for the loop
-        self.copy = ExitStack()  # it deletes a copy
-        self.is_over = False  # whether the simulation has ended
-        self.is_shown = False  # whether the loop has shown its cradle
         self.last_frame = perf_counter()  # s: when the last frame began
-        self.refused = 0  # how often the loop has asked again since is_running was False
+        self.is_over = False  # whether the simulation has ended
+        # The present run.
+        self.names: dict[str, Any] = {}  # of the program
+        self.run_count = 0  # runs that have begun
+        self.is_shown = False  # whether the run has shown its cradle
+        self.is_fast = False  # whether the fast path can do its ticks
+        self.is_preview = False  # whether it shows only the functions that are written
+        self.remarks: list[str] = []  # what there is to say about it
         # The ticks of this frame.
         self.planned: float = 0  # those that no batch has yet
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
@@ -84,9 +95,24 @@ class Player(Page):
     def take_sample(self) -> None:
         """Show or record this moment; a subclass may define this."""
 
+    def own_shapes(self) -> list:
+        """Return the shapes that are not the program's; a subclass with some may define this."""
+        return []
+
+    def go_on_after(self, error: BaseException | None) -> None:
+        """Raise this error, with which a run has ended, or one that says that it ended too early.
+
+        A subclass that can wait for the next run waits in its place.
+        """
+        if error:
+            raise error
+        message = "has ended, but the simulation goes on. Tick while is_running(pend_list) is True."
+        raise MistakeError("The program", message)
+
     def looks_at_hits(self) -> bool:
-        """Return whether a batch ends at a hit; a subclass may define this. The loop then does all
-        ticks.
+        """Return whether a batch ends at a hit: the loop then does all ticks.
+
+        A subclass may define this.
         """
         return False
 
@@ -109,67 +135,89 @@ class Player(Page):
         """
         self.plan(self.pace.due(most), self.pace.frame_start + BUSY)
 
-    # --- for the loop --------------------------------------------------------------------------
+    # --- a run ---------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Get ready for the loop to make and show a cradle."""
-        self.cradle.give_back()
-        self.path = self.copy.enter_context(file_for_pandas(self.next_cradle.settings.csv))
+        """Get ready for the next run, and take away what the last one has shown."""
+        self.run_count += 1
         self.next_cradle.is_wanted = False
-        self.planned = 0
         self.is_shown = False
-        self.refused = 0
+        self.is_preview = False
+        self.is_in_batch = False
+        self.planned = 0
+        self.due = 0
+        self.remarks = []
+        self.hits.stop()
+        self.cradle.pend_list = []
+        discard_all(but=self.own_shapes())
 
-    @property
-    def csv(self) -> str:
-        """The path of the cradle's file; it is there until the loop has shown the cradle."""
-        if self.is_shown:
-            message = "used page.csv after page.show. Make the cradle once, before the loop."
-            raise MistakeError(self.loop, message)
-        return self.path
+    def note(self, remark: str) -> None:
+        """Keep a remark on this run."""
+        if remark not in self.remarks:
+            self.remarks.append(remark)
 
-    @property
-    def rule(self) -> dict[str, bool]:
-        """The keyword for the tick, if it takes one: whether only approaching bobs collide.
-
-        Only this place knows it: called without it, the handout's functions follow the handout.
-        """
-        if not self.cradle.takes_rule:
-            return {}
-        return {"approaching_only": not self.next_cradle.separating}
-
-    def show(self, pend_list: list) -> None:
-        """Take and release a new cradle.
+    def show(self, pend_list: list[Pendulum]) -> None:
+        """Take and release a new cradle, the program's list.
 
         Raises a MistakeError if pend_list is no list of complete pendula.
         """
-        if self.is_shown:
-            message = "called page.show again. Show the cradle once, before the loop."
-            raise MistakeError(self.loop, message)
         settings = self.next_cradle.settings
-        with self.copy:
-            self.cradle.accept(pend_list, settings.csv.columns)
-            self.cradle.use_mass(settings.mass, self.path)
-            self.cradle.use_e_of(settings.e_source, self.path)
+        cradle = self.cradle
+        cradle.find_functions(self.names)
+        cradle.accept(pend_list, settings.csv.columns)
         hidden = settings.hidden
         is_there = hidden is not None and hidden.rows[0] < len(pend_list)
-        self.cradle.hidden = hidden if is_there else None
-        self.is_shown = True
-        if settings.poses and len(settings.poses) == len(pend_list):  # main may read another file
-            self.cradle.pose(settings.poses)
+        cradle.hidden = hidden if is_there else None
+        if settings.poses and len(settings.poses) == len(pend_list):  # it may read another file
+            cradle.pose(settings.poses)
         else:
-            self.cradle.release(settings.angles, settings.lifted)
+            cradle.release(settings.angles, settings.lifted)
+        self.is_shown = True
+        self.note_own_ways(settings.csv)
+        self.look_at_functions()
+        self.hits.listen()
         self.motion.restart()
         self.show_new_cradle()
 
-    def is_running(self) -> bool:
+    def note_own_ways(self, csv: CradleCsv) -> None:
+        """After a change, or with a copy of the CSV, say what the program does not take from it.
+
+        A preview takes only some pendula.
+        """
+        is_copy = str(csv.filepath) != constants.NC_FP
+        if self.is_preview or not (is_copy or self.next_cradle.is_changed):
+            return
+        if is_copy and Path(constants.NC_FP).resolve() in written:
+            self.note(COPY_WRITTEN)
+            return
+        if len(self.cradle.pend_list) != len(csv.pendula):
+            own = ["the number of bobs"]
+        else:
+            values = self.cradle.values
+            own = [name for name in SETTABLE if values(name) != numbers_in(csv, name)]
+        if own:
+            self.note(f"The program does not take {' and '.join(own)} from NC_FP.")
+
+    def look_at_functions(self) -> None:
+        """Find out whether the fast path can do the ticks; say what hinders it, but no change."""
+        self.is_fast = False
+        if FAST_PATH and FAST_PATH.is_shipped(self.names):
+            obstacle = FAST_PATH.obstacle(self.cradle.pend_list, self.names["R_PARAM"])
+            self.is_fast = not obstacle
+            if obstacle:
+                self.note(f"{obstacle} {SLOW}")
+
+    # --- for the loop --------------------------------------------------------------------------
+
+    def is_running(self, pend_list: list[Pendulum]) -> bool:
         """Return whether the loop must do a tick now.
 
-        False ends the loop, as the simulation is over or begins again. When no tick is due, do
-        frames until one is. After the deadline, the rest of a batch waits for the next frame.
+        False ends the loop, as the run is over. When no tick is due, do frames until one is. Leave
+        out the ticks that are not done at the deadline.
         """
         if not self.is_shown:
-            raise MistakeError(self.loop, "asked page.is_running() before page.show(pend_list).")
+            self.show(pend_list)
+        self.cradle.pend_list = pend_list  # some loops make a new one for each tick
         if self.due and self.must_look():
             self.planned += self.due
             self.due = 0
@@ -177,12 +225,11 @@ class Player(Page):
             if self.is_in_batch:
                 self.end_batch()
             if self.is_over or self.next_cradle.is_wanted:
-                self.refuse()
                 return False
             if self.planned and self.pace.clock() < self.deadline:
                 self.begin_batch()
             else:
-                self.pace.give_back(self.planned)
+                self.pace.leave_out(self.planned)
                 self.planned = 0
                 self.last_frame = perf_counter()
                 end_if_signalled()
@@ -197,13 +244,6 @@ class Player(Page):
         has_hit = self.looks_at_hits() and bool(self.hits.noted)
         return has_hit or self.pace.clock() >= self.deadline
 
-    def refuse(self) -> None:
-        """Count this question; raise a MistakeError if the loop does not end."""
-        self.refused += 1
-        if self.refused > MOST_REFUSED:
-            message = "went on after page.is_running() was False. It must leave its loop then."
-            raise MistakeError(self.loop, message)
-
     # --- a batch of ticks ----------------------------------------------------------------------
 
     def begin_batch(self) -> None:
@@ -213,30 +253,21 @@ class Player(Page):
         self.planned -= batch
         self.is_in_batch = True
         self.hits.noted.clear()
-        if self.looks_at_hits() or not self.do_at_once(batch):
-            self.hits.listen()
+        if self.do_at_once(batch):
+            self.motion.ticks += batch
+        else:
             self.due = batch
 
     def do_at_once(self, ticks: int) -> bool:
-        """Do a batch in one call of the fast path, if it is certain of the result.
-
-        Return whether it was.
-        """
-        cradle = self.cradle
-        if not cradle.many_ticks:
+        """Do a batch in one call of the fast path; return whether this was possible."""
+        if not self.is_fast or self.looks_at_hits() or FAST_PATH.is_watched():
             return False
-        hits = cradle.many_ticks.many_ticks(cradle.scope, cradle.pend_list, ticks, self.rule)
-        if hits is None:
-            return False
-        before = self.motion.ticks
-        self.hits.noted += [hit._replace(tick=before + hit.tick) for hit in hits]
-        self.motion.ticks += ticks
+        FAST_PATH.many_ticks(self.cradle, self.hits, ticks, self.names)
         return True
 
     def end_batch(self) -> None:
         """Look at the result of a batch."""
         self.is_in_batch = False
-        self.hits.stop()
         for hit in self.hits.noted:
             self.motion.note_hit(hit)
         self.cradle.require_same_pendula()
@@ -244,28 +275,50 @@ class Player(Page):
             self.take_sample()
 
 
-def run(loop: Loop, player: Player) -> None:
-    """Run a loop (for instance main) once for each cradle.
-
-    Raises a MistakeError if it ends while it must go on.
-    """
-    import_now("pandas")  # not in a student's function, which has no part in the time that it takes
-    player.loop = loop
+def run(file: Path, player: Player) -> None:
+    """Run a program, this file of src/, once for each cradle; its loop asks this player."""
     try:
         while player.next_cradle.is_wanted:
             player.begin()
-            loop(player)
-            if not player.is_shown:
-                raise MistakeError(loop, "showed no cradle: page.show(pend_list) is missing.")
-            if not (player.next_cradle.is_wanted or player.is_over):
-                message = (
-                    "ended, but the simulation still runs. Tick while page.is_running() is True."
-                )
-                raise MistakeError(loop, message)
+            error: BaseException | None = None
+            try:
+                run_once(file, player)
+            except (BdbQuit, SignalError):  # also a debugger's q
+                raise
+            except SystemExit as end:  # exit() in a program only ends the run
+                error = end if end.code else None
+            except Exception as raised:
+                error = raised
+            if error or not (player.is_over or player.next_cradle.is_wanted):
+                player.go_on_after(error)
     except SignalError as stopped:
         seconds = perf_counter() - player.last_frame
         stopped.is_late = seconds > ENDLESS_AFTER  # type: ignore[attr-defined]
         raise
     finally:
         player.hits.stop()
-        player.copy.close()
+
+
+def run_once(file: Path, player: Player) -> None:
+    """Run a program for one cradle: NC_FP is then the path of its CSV."""
+    before = constants.NC_FP
+    with file_for_pandas(player.next_cradle.settings.csv) as path, fresh_modules():
+        constants.NC_FP = path
+        try:
+            play(file, player)
+        finally:
+            constants.NC_FP = before
+
+
+def play(file: Path, player: Player) -> None:
+    """Run a program; while functions are missing, show what there is."""
+    program = main_module(file)
+    player.names = vars(program)
+    try:
+        simulation.play(partial(run_file, program), player)
+    except NotImplementedError as error:
+        if player.cradle.cord_count == 2:  # it has no tiers
+            raise UnwrittenError(*missing_in(error)) from None
+        player.begin()
+        player.is_preview = True
+        simulation.play(partial(preview, player.names, error, player.note), player)

@@ -6,8 +6,8 @@ from math import inf
 
 FRAME = 1 / 60  # s: a browser draws about sixty pictures a second
 # s of a frame, after which no tick begins: the threads that serve the page need the rest.
-BUSY = 0.75 * FRAME
-# s of a delay that it makes up for; it drops the rest (of a slow machine, a laptop that slept).
+BUSY = 0.9 * FRAME
+# s of a delay that it makes up for; it leaves out the rest (of a laptop that slept).
 MAX_BEHIND = 0.25
 KEPT_UP_OVER = 1.0  # s over which kept_up is measured
 
@@ -35,7 +35,7 @@ class RealTime:
     def restart(self) -> None:
         """Begin again at this moment, with no ticks due."""
         self.frame_start = self.clock()
-        self.owed = 0.0  # ticks, and the fraction of one
+        self.part = 0.0  # of a tick, which is due already
         self.kept_up = 1.0  # ticks done / ticks due over the last KEPT_UP_OVER
         self.begin_span(self.frame_start)
 
@@ -51,19 +51,18 @@ class RealTime:
         if now - self.span_start >= KEPT_UP_OVER and self.span_due:
             self.kept_up = self.span_done / self.span_due
             self.begin_span(now)
-        per_second = self.speed / self.dt
-        due = (now - self.frame_start) * per_second
+        elapsed = now - self.frame_start
         self.frame_start = now
-        self.owed = min(self.owed + due, MAX_BEHIND * per_second)
-        ticks = int(min(self.owed, most))
-        self.owed -= ticks
-        self.span_due += due
+        per_second = self.speed / self.dt
+        due = self.part + min(elapsed, MAX_BEHIND) * per_second
+        self.part = due % 1
+        ticks = int(min(due, most))
+        self.span_due += elapsed * per_second
         self.span_done += ticks
         return ticks
 
-    def give_back(self, ticks: float) -> None:
-        """Keep these ticks, which were not done in this frame, for the next one."""
-        self.owed += ticks
+    def leave_out(self, ticks: float) -> None:
+        """Count these ticks as not done: the machine was too slow for them."""
         self.span_done -= ticks
 
     def rest(self) -> None:

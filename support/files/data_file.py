@@ -7,6 +7,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TextIO
 
+written: dict[Path, bytes] = {}  # what this process has written last into a file
+
 
 @contextmanager
 def whole_file(filepath: str | Path) -> Iterator[TextIO]:
@@ -22,7 +24,9 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
     try:
         with open(unfinished, "w", encoding="utf-8", newline="") as file:
             yield file
+        data = unfinished.read_bytes()
         os.replace(unfinished, target)
+        written[target.resolve()] = data
     except OSError as error:
         if error.filename in (None, str(unfinished)):  # else it is of another file
             error.filename = str(filepath)
@@ -30,3 +34,8 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
     finally:
         with suppress(OSError):  # it already has its final name, or was never there
             unfinished.unlink()
+
+
+def has_written(filepath: str | Path, data: bytes) -> bool:
+    """Return whether this process has written this content into a file."""
+    return written.get(Path(filepath).resolve()) == data

@@ -1,6 +1,7 @@
 """What the CSV of a cradle must have; the checked CSV, and the file with it for pandas."""
 
 import csv
+from argparse import Namespace
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -12,6 +13,7 @@ from support.files.cradle_csv import CsvRow, Snapshot
 from support.found import found, in_short
 
 MOST_PENDULA = 1000  # of a cradle
+Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
 
 # In a double cradle, a light bob between two heavy ones can get so fast that a tick has to be done
 # in many small steps (src/double_cradle.py). With these masses, no trial needed more than about two
@@ -100,6 +102,36 @@ def require_masses_in_range(snapshot: Snapshot, header: CsvRow, pendula: list[Cs
 def are_in_range(masses: Iterable[float]) -> bool:
     """Return whether the masses of a double cradle are at most MOST_TIMES the smallest one."""
     return max(masses) <= MOST_TIMES * min(masses)
+
+
+def numbers_in(csv: CradleCsv, column: str) -> list[float]:
+    """Return the numbers in this column of a CSV."""
+    place = csv.columns.index(column)
+    return [to_number(cells[place]) for cells in csv.pendula]
+
+
+def with_numbers(csv: CradleCsv, numbers: Numbers) -> CradleCsv:
+    """Return the CSV with these numbers in its columns; an equal number keeps its text."""
+    pendula = [[*cells] for cells in csv.pendula]
+    for column, values in numbers.items():
+        place = csv.columns.index(column)
+        # A program may have made its pendula from something else.
+        for cells, value in zip(pendula, values, strict=False):
+            if to_number(cells[place]) != value:
+                cells[place] = repr(float(value))
+    return csv._replace(pendula=pendula)
+
+
+def with_options(csv: CradleCsv, options: Namespace) -> CradleCsv:
+    """Return the CSV with the mass (kg) and the e that options give to all pendula."""
+    e = options.e
+    if options.elastic or options.inelastic:
+        e = float(options.elastic)
+    given = {"mass": options.mass, "e": e}
+    count = len(csv.pendula)
+    return with_numbers(
+        csv, {name: [value] * count for name, value in given.items() if value is not None}
+    )
 
 
 @contextmanager

@@ -1,8 +1,11 @@
-"""What main makes the cradle from: your CSV with your settings, or an experiment."""
+"""What the program makes the cradle from: your CSV with your settings, or an experiment."""
+
+from collections.abc import Callable
 
 from support.cradle.cradle import Cradle
 from support.cradle.settings import NextCradle, settings_of
 from support.files.cradle_csv import LiveFile
+from support.files.data_file import has_written
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import CradleCsv, read_cradle
 from support.page.gallery import at_rest, gallery_picture
@@ -23,15 +26,20 @@ class Chooser:
         cradle: Cradle,
         next_cradle: NextCradle,
         file: LiveFile,
+        prepare: Callable[[CradleCsv], CradleCsv],
         experiment: Experiment | None = None,
     ):
-        """Begin with your CSV, which is in this file, or with an experiment of your own."""
+        """Begin with your CSV, which is in this file, or with an experiment of your own.
+
+        prepare(csv) returns a CSV with what the options say.
+        """
         self.next_cradle = next_cradle
         self.file = file
+        self.prepare = prepare
         self.cords = cradle.cord_count
         self.first = next_cradle.settings  # those of your CSV at the start
         self.yours = self.first  # of your CSV
-        self.saved = self.first.csv  # your CSV, as it is in the file
+        self.saved = self.first.csv  # your CSV, as it is in the file, with the options
         self.error = ""  # the mistake in it
         folder = EXPERIMENTS / cradle.kind
         experiments, self.mistakes = read_experiments(folder, self.cords)
@@ -84,7 +92,7 @@ class Chooser:
         return names[(names.index(self.experiment.name) + 1) % len(names)]
 
     def choose(self, name: str) -> None:
-        """Let main make the cradle with this name: an experiment, or your CSV with its settings.
+        """Let the program make an experiment with this name, or your CSV with its settings.
 
         If your CSV is chosen already, it is as at the start.
         """
@@ -108,21 +116,26 @@ class Chooser:
     def look_at_file(self) -> None:
         """Choose your CSV again if you have saved it.
 
-        If it has a mistake, keep the message; the old cradle then swings on.
+        If it has a mistake, keep the message; the old cradle then swings on. So it does if the
+        program itself has written the file.
         """
         if not self.file.changed():
             return
         self.error = ""
         try:
-            csv = read_cradle(self.file.current, self.cords)
+            csv = self.prepare(read_cradle(self.file.current, self.cords))
         except ValueError as error:
             self.error = f"{error}. {STILL_THERE}"
             return
-        if self.experiment:
-            self.choose(YOUR_CSV)
+        is_shown = self.next_cradle.settings.csv == self.saved
         self.saved = csv
         self.pictures[YOUR_CSV] = at_rest(csv, self.cords)
-        self.next_cradle.want(csv=csv)
+        if not has_written(self.file.filepath, self.file.current.data):
+            if self.experiment:
+                self.choose(YOUR_CSV)
+            self.next_cradle.want(csv=csv)
+        elif is_shown:
+            self.next_cradle.settings = self.next_cradle.settings._replace(csv=csv)
 
     def original(self) -> CradleCsv:
         """Return the CSV of what is chosen, without changes on the page."""

@@ -1,20 +1,18 @@
 """The cradle's own settings: its release, its number of bobs, their masses, and their e.
 
-The sliders and the table of the page change them. Each change lets main make a new cradle.
+The sliders and the table of the page change them. Each change lets the program make a new cradle.
 """
 
 from typing import NamedTuple
 
-from support.columns import CHECKED, SETTABLE, to_number
+from support.columns import CHECKED, SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.settings import NextCradle
 from support.files.experiments import COLORS
-from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE
+from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE, with_numbers
 from support.page.chooser import Chooser
 from support.page.names import State
 from support.pendulum import angle_to_outwards, outwards_to_angle
-
-Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
 
 
 class Refusal(NamedTuple):
@@ -36,7 +34,7 @@ class CradleSettings:
         self.refused_in: CradleCsv | None = None  # the table
 
     def change(self, **changed: object) -> None:
-        """Let main make a cradle with these settings, no longer that of an experiment."""
+        """Let the program make a cradle with these settings, no longer that of an experiment."""
         self.chooser.leave_experiment()
         self.next_cradle.want(**changed)
 
@@ -95,7 +93,7 @@ class CradleSettings:
         self.change(csv=csv._replace(pendula=pendula[:count]))
 
     def edit(self, row: int, column: str, text: str) -> None:
-        """Let main make the cradle with this number in the table, or show why it is refused.
+        """Let the program make the cradle with this number in the table, or show why it is refused.
 
         The other numbers of the table stay as the pendula have them now.
         """
@@ -115,7 +113,7 @@ class CradleSettings:
                 fits = are_in_range(numbers[column])
         if fits:
             edited = with_numbers(self.next_cradle.settings.csv, numbers)
-            self.change(csv=edited, mass=None, e_source=None)
+            self.change(csv=edited)
         else:
             self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}")
         self.refused_in = self.next_cradle.settings.csv
@@ -128,7 +126,8 @@ class CradleSettings:
 
     def set_e(self, e: float) -> None:
         """Let the bobs collide with this e of all."""
-        self.change(e_source=self.cradle.uniform_e(e))
+        csv = self.next_cradle.settings.csv
+        self.change(csv=with_numbers(csv, {"e": [e] * len(csv.pendula)}))
 
     def set_separating(self, separating: bool) -> None:
         """Let separating bobs collide, too, or not."""
@@ -145,15 +144,3 @@ class CradleSettings:
             "refused": {place: refusal._asdict() for place, refusal in self.refusals().items()},
             "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
         }
-
-
-def with_numbers(csv: CradleCsv, numbers: Numbers) -> CradleCsv:
-    """Return the CSV with these numbers in its columns; an equal number keeps its text."""
-    pendula = [[*cells] for cells in csv.pendula]
-    for column, values in numbers.items():
-        place = csv.columns.index(column)
-        # main may have made its pendula from something else.
-        for cells, value in zip(pendula, values, strict=False):
-            if to_number(cells[place]) != value:
-                cells[place] = repr(float(value))
-    return csv._replace(pendula=pendula)

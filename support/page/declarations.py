@@ -127,7 +127,7 @@ def cradle_controls(
         step=0.01,
         help="e, the coefficient of restitution of all bobs: 1 = the bobs part as fast as they "
         "met, 0 = they stay together",
-        is_enabled=lambda: cradle.can_set_e and is_open(),
+        is_enabled=is_open,
     )
     separating = Switch(
         name="separating",
@@ -135,10 +135,9 @@ def cradle_controls(
         label="Separating bobs collide too",
         get=lambda: next_cradle.separating,
         set=settings.set_separating,
-        is_enabled=lambda: cradle.takes_rule,
     )
     controls: list[Control] = [count, lifted, *angles, mass, e]
-    if cradle.has_rule:
+    if cradle.cord_count == 1:  # the double cradle has this rule itself
         controls.append(separating)
     return controls
 

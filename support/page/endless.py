@@ -1,47 +1,70 @@
-"""Find a function that never returns: its loop asks the player nothing any more."""
+"""Find a function that does not return, so that the loop asks nothing; a save stops it."""
 
+import builtins
 import sys
 import threading
 from collections.abc import Callable
-from pathlib import Path
+from ctypes import c_ulong, py_object, pythonapi
 from types import FrameType
 from typing import Any
 
 from support.cradle.player import PLAYER_FILE
-from support.start.mistake import is_in_src
+from support.simulation import OverError
+from support.start.mistake import is_in_src, place_of
 
 LOOK = 0.5  # s from look to look
+AGAIN = 0.02  # s from look to look while a function is to be stopped
 TOO_LONG = 3.0  # s after which a function that has not returned is named
 
 
 class Watch:
-    """Watches a loop from another thread."""
+    """Watches a program's loop from another thread."""
 
-    def __init__(self, progress: Callable[[], Any], tell: Callable[[str], object]):
+    def __init__(
+        self,
+        progress: Callable[[], Any],
+        tell: Callable[[dict[str, str]], object],
+        is_wanted: Callable[[], bool],
+    ):
         """Watch the loop in this thread.
 
         progress() returns what changes with each tick and each frame. tell gets a sentence about
-        the function that does not return, and an empty one when it has.
+        the function that does not return, and an empty one when it has. is_wanted() returns
+        whether another run is wanted, as after a save: the function is then stopped.
         """
         self.progress = progress
         self.tell = tell
+        self.is_wanted = is_wanted
         self.thread = threading.get_ident()
         self.last = progress()
         self.looks = 0  # since this has changed last
-        # Of the handout's functions that have not returned since then, the innermost one first
+        # Of functions of src/ that have not returned since then, the innermost one first
         self.frames: list[FrameType] = []
         self.words = ""
+        self.must_stop = False  # whether they are to be stopped
+        self.is_asking = False  # whether a program waits for the terminal
         self.has_ended = threading.Event()  # whether nothing is to be watched any more
 
     def start(self) -> None:
         """Look again and again, in a thread of its own, until stop."""
+        self.input = builtins.input
+        builtins.input = self.ask  # type: ignore[assignment]
         threading.Thread(target=self.keep_looking, daemon=True).start()
 
     def stop(self) -> None:
         self.has_ended.set()
+        builtins.input = self.input
+
+    def ask(self, prompt: object = "") -> str:
+        """Do what input does; also a debugger asks with it."""
+        self.is_asking = True
+        try:
+            return self.input(prompt)
+        finally:
+            self.is_asking = False
 
     def keep_looking(self) -> None:
-        while not self.has_ended.wait(LOOK):
+        while not self.has_ended.wait(AGAIN if self.must_stop else LOOK):
             self.look()
 
     def look(self) -> None:
@@ -51,32 +74,48 @@ class Watch:
         """
         progress = self.progress()
         frames = running(self.thread)
-        if progress != self.last:
+        if progress != self.last or not self.frames:
             self.last = progress
             self.looks = 0
             self.frames = frames
+            self.must_stop = False
             self.say("")
             return
-        self.looks += 1
+        self.looks = 0 if self.is_asking else self.looks + 1
         self.frames = [frame for frame in self.frames if frame in frames]
-        if self.looks * LOOK == TOO_LONG and self.frames:
-            innermost = self.frames[0]
-            name = Path(innermost.f_code.co_filename).name
-            place = f"{innermost.f_code.co_name} in src/{name}, line {innermost.f_lineno}"
-            self.say(
-                f"{place}, has been running for {TOO_LONG:.0f} s and has not returned. If a loop "
-                "in it never ends, press Ctrl+C in the terminal, and mend it."
-            )
+        if self.words and not self.is_asking and self.is_wanted():
+            self.must_stop = True
+        if self.frames and (self.is_asking or self.looks * LOOK == TOO_LONG):
+            self.say(self.sentence(self.frames[0]))
+        # Again and again: a bare except can catch it.
+        if self.must_stop and running(self.thread):
+            raise_in(self.thread, OverError)
+
+    def sentence(self, frame: FrameType) -> str:
+        """Return a sentence about what this frame does."""
+        place = place_of(frame.f_code.co_filename, frame.f_lineno)
+        if self.is_asking:
+            return f"{place}, waits for the terminal: answer there."
+        if frame.f_code.co_name == "<module>" and frame.f_globals["__name__"] != "__main__":
+            return f"{place}, is still being imported."
+        return (
+            f"{place}: the program has been here for {TOO_LONG:.0f} s. If a loop never ends here, "
+            "mend it, and save the file."
+        )
 
     def say(self, words: str) -> None:
         if words != self.words:
             self.words = words
-            self.tell(words)
+            self.tell({"endless": words})
+
+
+def raise_in(thread: int, error: type[BaseException]) -> None:
+    """Raise this error in a thread, as soon as it runs a line of Python."""
+    pythonapi.PyThreadState_SetAsyncExc(c_ulong(thread), py_object(error))
 
 
 def running(thread: int) -> list[FrameType]:
-    """Return the frames of the handout's functions that the player's loop in this thread is in, the
-    innermost first.
+    """Return the Python frames of src/ in this thread, the innermost one first.
 
     There are none while the loop waits for the player.
     """

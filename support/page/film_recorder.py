@@ -10,11 +10,10 @@ from pathlib import Path
 from urllib.parse import quote
 
 from support.cradle.cradle import Cradle
-from support.cradle.player import PLAYER_FILE, run
+from support.cradle.player import Player, PLAYER_FILE, run
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
 from support.files.experiments import Experiment, EXPERIMENTS
-from support.main_page import Loop
 from support.page.server.film import Film
 from support.page.server.run_file import run_as_html
 from support.page.server.tabs import Tabs
@@ -22,6 +21,7 @@ from support.page.viewer import Start, Viewer
 from support.start.end import SignalError
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, refuse
+from support.start.preview import UnwrittenError
 
 INDEX_STYLE = """
 :root { font: 1.1rem/1.5 system-ui, sans-serif }
@@ -101,6 +101,9 @@ class FilmRecorder(Viewer):
         self.marks.measures = bool(self.cradle.hidden)
         super().show_new_cradle()
 
+    def go_on_after(self, error: BaseException | None) -> None:
+        Player.go_on_after(self, error)  # nobody mends it here
+
     def keep_run(self) -> None:
         """Keep the run up to now."""
         self.runs.append(run_as_html(self.tabs.pictures()))
@@ -113,12 +116,12 @@ class FilmRecorder(Viewer):
         return self.marks.ghosts
 
 
-def write_run(loop: Loop, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
-    """Write the first seconds (s) of a loop to this HTML file; the rest is as in write_runs."""
-    write_runs(loop, FilmRecorder(cradle, start, seconds), [filepath], filepath)
+def write_run(file: Path, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
+    """Write the first seconds (s) of a program to this HTML file; the rest is as in write_runs."""
+    write_runs(file, FilmRecorder(cradle, start, seconds), [filepath], filepath)
 
 
-def write_all_runs(loop: Loop, cradle: Cradle, start: Start, seconds: float, folder: str) -> None:
+def write_all_runs(file: Path, cradle: Cradle, start: Start, seconds: float, folder: str) -> None:
     """Write the first seconds (s) of each experiment to an HTML file in this folder.
 
     index.html has links to them. The rest is as in write_runs.
@@ -135,13 +138,13 @@ def write_all_runs(loop: Loop, cradle: Cradle, start: Start, seconds: float, fol
         refuse(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
-    write_runs(loop, recorder, files, folder)
+    write_runs(file, recorder, files, folder)
     with whole_file(index) as links:
         links.write(links_to(cradle.title, [*experiments.values()]))
 
 
-def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
-    """Write the runs of a recorder to these files; place names them all in a message.
+def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
+    """Write the runs of a program to these files; place names them all in a message.
 
     If a function makes a mistake, a single run ends with it, and the exit status is 1; so it is,
     without files, with several runs, and after a signal. Raises an OSError if a file cannot be
@@ -150,12 +153,14 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
     has_failed = False
     try:
         with ExitStack() as stack:
-            opened = [stack.enter_context(whole_file(file)) for file in files]
+            opened = [stack.enter_context(whole_file(name)) for name in files]
             recorder.report_progress = stack.enter_context(progress_bar())
             try:
-                run(loop, recorder)
+                run(file, recorder)
             except SignalError:
                 raise
+            except UnwrittenError as error:
+                refuse(error)
             except (Exception, SystemExit) as error:
                 recorder.tabs.show({"ended": report_mistake(error, PLAYER_FILE)})
                 if not recorder.is_over:  # else the run is whole
@@ -170,8 +175,8 @@ def write_runs(loop: Loop, recorder: FilmRecorder, files: Sequence[str], place: 
         report_endless_loop(stopped, PLAYER_FILE)
         complain(f"The run ended too early. {place} is not written.")
         sys.exit(1)
-    if recorder.given_remark:
-        print(recorder.given_remark)
+    for remark in recorder.remarks:
+        print(remark)
     seconds = f"{recorder.motion.time():.15g} s"
     of_each = f" of each of {len(files)} experiments" if len(files) > 1 else ""
     print(in_one_line(f"{seconds}{of_each} are in {place}"))

@@ -23,7 +23,7 @@ class Lesson:
         self.playback = playback
 
     def choose(self, name: str) -> None:
-        """Let main make the cradle with this name; an experiment runs at once.
+        """Let the program make the cradle with this name; an experiment runs at once.
 
         One with a hidden value waits: its first hit is the clearest.
         """
@@ -67,7 +67,7 @@ class Lesson:
     def begin(self, motion: Motion) -> None:
         """Begin with a new cradle of this Motion: ask the question of its experiment, if you want.
 
-        main may have read another file, with another number of pendula.
+        The program may have read another file, with another number of pendula.
         """
         experiment = self.chooser.whole_experiment()
         if experiment and len(experiment.poses) != len(motion.cradle.pend_list):

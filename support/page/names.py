@@ -41,6 +41,9 @@ class State(TypedDict, total=False):
     remark: str
     error: str  # the mistake in your CSV
     endless: str  # a function that does not return
+    stopped: str  # the mistake that has ended the last run
+    over: str  # why it is over without a mistake
+    saved: str  # why what you have saved does not run, or has a wrong name
     ended: str | None  # why the program has ended
     word: str  # about your last command
     # The motion

@@ -3,9 +3,10 @@
 import sys
 from argparse import Namespace
 from collections.abc import Sequence
+from functools import partial
 from ipaddress import ip_address
+from pathlib import Path
 from subprocess import list2cmdline
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 from support.cradle.cradle import Cradle
@@ -14,80 +15,54 @@ from support.cradle.player import PLAYER_FILE, run
 from support.files.cradle_csv import LiveFile, Snapshot
 from support.files.experiments import read_experiment
 from support.files.ghosts import read_ghosts
-from support.files.valid_cradle import read_cradle
-from support.main_page import Loop
+from support.files.valid_cradle import read_cradle, with_options
 from support.root import SRC
-from support.start.end import ended_quietly, SignalError
-from support.start.mistake import report_endless_loop, report_mistake
+from support.start.end import ended_quietly, is_in_session, SignalError
+from support.start.mistake import report_endless_loop
 from support.start.options import (
     read_double_page_options,
     read_page_options,
     require_lifted,
 )
 from support.start.output import refuse
-from support.start.preview import end_if_unwritten, what_there_is
 
 if TYPE_CHECKING:
     from support.page.server.server import Server
     from support.page.viewer import Start
 
-GOODBYE = 10.0  # s that the page has to fetch the last message
-UPPER_ONLY = (
-    "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
-)
-
 
 @ended_quietly()
-def show_cradle(
-    main: Loop, special_cradles: ModuleType, many_ticks: ModuleType | None = None
-) -> None:
-    """Show the cradle of main in the browser until the tab is closed.
+def show() -> None:
+    """Run the started file in the browser, again for each cradle, until the last tab is closed.
 
-    special_cradles is the handout's module, many_ticks is the module of the fast path, or None.
-    While functions are missing, show the cradle without them. Exits with status 2 if an option or
-    the CSV is wrong, or if there is nothing to show yet.
+    A file with "double" in its name makes a double cradle. Exits with status 2 if an option or the
+    CSV is wrong, with 1 if the last run ended with a mistake.
     """
-    options = read_page_options()
-    cradle = Cradle(main, special_cradles, options, many_ticks)
-    loop, remark = what_there_is(main, cradle)
-    show_page(loop, cradle, options, [options.angle], remark)
-
-
-@ended_quietly()
-def show_double_cradle(main: Loop, special_cradles: ModuleType) -> None:
-    """Show the double cradle of main in the same way.
-
-    Exits with status 2 while a function is missing.
-    """
-    options = read_double_page_options()
-    end_if_unwritten(
-        "pds_helper", "special_cradles", "double_cradle", "visualize_double_cradle_run"
-    )
-    cradle = DoubleCradle(main, special_cradles, options)
-    remark = UPPER_ONLY if cradle.collide_name == "handle_two_bobs" else ""
-    show_page(main, cradle, options, [options.angle, options.phi], remark)
+    file = Path(str(sys.modules["__main__"].__file__)).resolve()
+    if "double" in file.name:
+        options = read_double_page_options()
+        show_page(file, DoubleCradle(), options, [options.angle, options.phi])
+    else:
+        options = read_page_options()
+        show_page(file, Cradle(), options, [options.angle])
 
 
 def show_page(
-    loop: Loop,
-    cradle: Cradle,
-    options: Namespace,
-    angles: Sequence[float | None],
-    remark: str,
+    file: Path, cradle: Cradle, options: Namespace, angles: Sequence[float | None]
 ) -> None:
-    """Run the loop of a program with the page of a cradle, until the last tab is closed for good.
+    """Run a program, this file, with the page of a cradle, until the last tab is closed for good.
 
-    angles are the release angles (rad); None keeps the angle with which main makes the cradle.
-    remark is a line on the page. With --html or --html-all, write files in place of it. Exits with
-    status 2 if an option, or a file that it names, is wrong, with 1 if a function makes a mistake.
+    angles are the release angles (rad); None keeps the angle with which the program makes the
+    cradle. With --html or --html-all, write files in place of a page. The exit status is as above.
     """
-    file = LiveFile(options.csv)
+    prepare = partial(with_options, options=options)
+    live_file = LiveFile(options.csv)
     ghosts = None
     experiment = None
     server = None
     try:
         # Here, because later mistakes in the file appear only on the page.
-        csv = read_cradle(file.current, len(angles))
+        csv = read_cradle(live_file.current, len(angles))
         require_lifted(options.lift, csv)
         if options.ghosts is not None:
             ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
@@ -99,41 +74,38 @@ def show_page(
         refuse(error)
     from support.page.viewer import Start  # while the browser starts
 
-    start = Start(csv, file, angles, options.lift, remark, experiment, ghosts)
+    start = Start(prepare(csv), live_file, prepare, angles, options.lift, experiment, ghosts)
     if server:
-        play(loop, cradle, start, server)
+        play(file, cradle, start, server)
         return
     from support.page.film_recorder import write_all_runs, write_run  # not for a page
 
     if options.html is not None:
-        write_run(loop, cradle, start, options.seconds, options.html)
+        write_run(file, cradle, start, options.seconds, options.html)
     else:
-        write_all_runs(loop, cradle, start, options.seconds, options.html_all)
+        write_all_runs(file, cradle, start, options.seconds, options.html_all)
 
 
-def play(loop: Loop, cradle: Cradle, start: "Start", server: "Server") -> None:
-    """Run the loop until the last tab is closed; exit with status 1 if a function fails."""
+def play(file: Path, cradle: Cradle, start: "Start", server: "Server") -> None:
+    """Run a program until the last tab is closed; exit with status 1 if its last run failed."""
     from support.page.endless import Watch
     from support.page.viewer import Viewer
 
     viewer = Viewer(cradle, start, server.tabs)
-    watch = Watch(viewer.progress, lambda words: server.tabs.tell({"endless": words}))
+    watch = Watch(viewer.progress, server.tabs.tell, viewer.look_at_source)
     watch.start()
     try:
-        run(loop, viewer)
+        run(file, viewer)
     except SignalError as stopped:
         report_endless_loop(stopped, PLAYER_FILE)
-        server.close()
         raise
-    except BaseException as error:
-        ended = report_mistake(error, PLAYER_FILE)
-        server.tabs.show({"remark": viewer.given_remark, "ended": ended})
-        server.tabs.is_seen.wait(GOODBYE)  # the browser may be on its way
-        server.close(GOODBYE)
-        sys.exit(1)
     finally:
         watch.stop()
-    server.close()
+        server.close()
+        if is_in_session():  # the prompt has the names of the last run
+            vars(sys.modules["__main__"]).update(viewer.names)
+    if viewer.has_failed:
+        sys.exit(1)
 
 
 def open_page(options: Namespace) -> "Server":

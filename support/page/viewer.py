@@ -1,17 +1,19 @@
 """The viewer: plays a cradle in step with the clock, and gives each part of the page its work."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 from support.cradle.cradle import Cradle
 from support.cradle.held_bob import HeldBob
-from support.cradle.player import Player
+from support.cradle.player import Player, PLAYER_FILE
 from support.cradle.real_time import FRAME, RealTime
 from support.cradle.settings import Settings
 from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.experiments import Experiment
 from support.files.ghosts import Ghosts
+from support.files.source_files import CONSTANTS, LiveSource
 from support.files.valid_cradle import CradleCsv
 from support.page import declarations
 from support.page.bars import Bars
@@ -32,11 +34,21 @@ from support.page.server.tabs import Tabs
 from support.page.sound import Sound
 from support.page.unknown import Unknown
 from support.start.end import end_if_signalled
+from support.start.mistake import report_mistake
+from support.start.preview import UnwrittenError
+from support.start.program import taken_names
 
 REFRESH = 0.1  # s between two changes of the state
 SAMPLES_A_SWING = 90  # for the graph, in the time of a small swing
 LOOKS_A_SWING = 1000  # of a measurement, in this time
 YOURS = "your answer"  # above the ghosts of an answer
+MEND = "Mend it, and save the file."
+ENDED = "The program has come to its end. Restart runs it again."
+NEW_CONSTANTS = "support/constants.py has changed. Start the program again."
+ALSO_AFTER_THE_END = "restart", "reset", "next", "previous"  # commands
+UPPER_ONLY = (
+    "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
+)
 
 
 class Start(NamedTuple):
@@ -44,16 +56,16 @@ class Start(NamedTuple):
 
     csv: CradleCsv
     file: LiveFile  # in which this CSV is
-    angles: Sequence[float | None]  # rad: of the release; None keeps that of main
+    prepare: Callable[[CradleCsv], CradleCsv]  # returns a CSV with what the options say
+    angles: Sequence[float | None]  # rad: of the release; None keeps that of the program
     lifted: int | None  # bobs
-    remark: str = ""  # a line on the page
     experiment: Experiment | None = None  # of your own, to begin with
     # Of a file; their angle counts if neither angles nor an experiment say one
     ghosts: Ghosts | None = None
 
 
 class Viewer(Player):
-    """The page with a cradle, its panel and its graph: the argument page of main.
+    """The page with a cradle, its panel and its graph.
 
     It makes the parts, and hands each one what it uses: no part knows the viewer.
     """
@@ -66,15 +78,18 @@ class Viewer(Player):
         pace: RealTime | None = None,
     ):
         """Play the cradle as a Player does, in this pace; tabs show it."""
-        settings = Settings(start.csv, [*start.angles], start.lifted, cradle.e_source, cradle.mass)
+        settings = Settings(start.csv, [*start.angles], start.lifted)
         super().__init__(cradle, settings, cradle.period / SAMPLES_A_SWING, pace)
         self.tabs = tabs
-        self.given_remark = start.remark
+        self.has_failed = False  # whether the last run has ended with a mistake
+        self.source = LiveSource()
         # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
         self.next_refresh = 0.0
 
         # Which cradle
-        self.chooser = Chooser(cradle, self.next_cradle, start.file, start.experiment)
+        self.chooser = Chooser(
+            cradle, self.next_cradle, start.file, start.prepare, start.experiment
+        )
         self.cradle_settings = CradleSettings(cradle, self.next_cradle, self.chooser)
         self.ghost_file = GhostFile(cradle.angle_keys, self.next_cradle, self.cradle_settings)
         if start.ghosts:
@@ -132,7 +147,7 @@ class Viewer(Player):
         while not (self.tabs.commands.empty() or self.next_cradle.is_wanted or self.planned):
             self.carry_out(*self.tabs.commands.get())
         if not self.next_cradle.is_wanted:
-            self.chooser.look_at_file()
+            self.look_at_files()
         if self.chooser.is_changed:
             if self.questions.asking == PREDICTED:  # what follows would give the answer away
                 self.playback.is_paused = True
@@ -150,6 +165,32 @@ class Viewer(Player):
             self.pace.speed = self.playback.speed_now()
             self.keep_time()
 
+    def look_at_files(self) -> None:
+        """Want a new run if you have saved your CSV, or a file of src/."""
+        self.chooser.look_at_file()
+        self.look_at_source()
+
+    def look_at_source(self) -> bool:
+        """Want a new run if you have saved a file of src/ that can run; say why one cannot.
+
+        Return whether a new run is wanted, also for another reason.
+        """
+        if self.source.changed():
+            mistake = self.source.mistake()
+            self.tell_of_files(mistake)
+            if not mistake and self.source.saved != [CONSTANTS]:
+                self.next_cradle.want()
+        return self.next_cradle.is_wanted
+
+    def tell_of_files(self, mistake: str = "") -> None:
+        """Say what is not as it should be with the files; mistake is that of the last save."""
+        words = taken_names()
+        if mistake:
+            words.append(f"Saved, but not run: {mistake}.")
+        if self.source.has_new_constants():
+            words.append(NEW_CONSTANTS)
+        self.tabs.tell({"saved": " ".join(words)})
+
     def carry_out(self, name: Any, *values: Any) -> None:
         """Do what a command says; do nothing if there is none, or if it takes no such values."""
         command: Any = self.commands.get(str(name))
@@ -163,9 +204,9 @@ class Viewer(Player):
         if control and control.takes(value):
             control.set(value)
 
-    def progress(self) -> tuple[float, float]:
-        """Return what changes with each tick and each frame."""
-        return self.motion.ticks, self.pace.frame_start
+    def progress(self) -> tuple[float, ...]:
+        """Return what changes with each run, each tick and each frame."""
+        return self.run_count, self.motion.ticks, self.pace.frame_start
 
     def show_frame(self) -> None:
         """Show the result of the last ticks.
@@ -216,7 +257,8 @@ class Viewer(Player):
 
     def state(self) -> State:
         """Return what the page shows outside VPython's canvas, all texts plain."""
-        remarks = [remark for remark in (self.given_remark, self.cradle.remark()) if remark]
+        said = (*self.remarks, self.cradle.remark(), self.why_no_hits())
+        remarks = [remark for remark in said if remark]
         state: State = {
             "title": self.cradle.title,
             "remark": " ".join(remarks),
@@ -239,11 +281,53 @@ class Viewer(Player):
             state |= part.state()
         return state
 
-    # --- a cradle ------------------------------------------------------------------------------
+    def why_no_hits(self) -> str:
+        """Return why Slow hits stay empty, or ""."""
+        can_come = self.hits.was_asked or not self.motion.ticks
+        if can_come or not self.slow_hits.is_on or self.cradle.count == 1:
+            return ""
+        return f"The tick does not call {self.cradle.collide_name}: there are no hits to show."
+
+    # --- a run ---------------------------------------------------------------------------------
+
+    def begin(self) -> None:
+        """Get ready for the next run, of the files as they are now."""
+        super().begin()
+        self.has_failed = False
+        self.source.take()
+        self.tell_of_files()
+
+    def own_shapes(self) -> list:
+        return [*self.scenery.frame, *chain(*self.marks.shapes.values())]
+
+    def go_on_after(self, error: BaseException | None) -> None:
+        """Say why a run has ended, until another one is wanted; the picture stays as it is."""
+        over, stopped = ENDED, ""
+        if isinstance(error, UnwrittenError):
+            over = str(error)
+            print(over)
+        elif error:
+            over, stopped = "", f"{report_mistake(error, PLAYER_FILE)} {MEND}"
+            self.has_failed = True
+        self.tabs.tell({"title": self.cradle.title, "over": over, "stopped": stopped})
+        while not (self.next_cradle.is_wanted or self.tabs.are_gone):
+            end_if_signalled()
+            self.pace.rest()
+            self.pace.restart()
+            while not (self.tabs.commands.empty() or self.next_cradle.is_wanted):
+                name, *values = self.tabs.commands.get()
+                if name in ALSO_AFTER_THE_END or values[:1] == ["experiment"]:
+                    self.carry_out(name, *values)
+            self.look_at_files()
+            self.tabs.tell({"error": self.chooser.error})
+        self.tabs.tell({"over": "", "stopped": ""})
+        self.is_over = not self.next_cradle.is_wanted
 
     def show_new_cradle(self) -> None:
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
         cradle = self.cradle
+        if cradle.cord_count == 2 and cradle.collide_name == "handle_two_bobs":
+            self.note(UPPER_ONLY)
         self.held_bob.let_go()
         self.tabs.begin_run()
         self.lesson.begin(self.motion)
@@ -330,6 +414,6 @@ class Viewer(Player):
         for control, value in self.at_first:
             control.set(value)
         self.ghost_file.remove()
-        self.next_cradle.separating = not self.cradle.takes_rule
+        self.next_cradle.separating = False
         self.playback.is_paused = False
         self.chooser.choose_first()

@@ -19,14 +19,14 @@ first when another one comes. The names that the browser uses are in web/glow.js
     vpython_data                   the folder of the textures
 """
 
-import sys
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from vpython import baseObj, vector
 
+from support import simulation
 from support.root import ROOT
 
 NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls"
@@ -41,7 +41,7 @@ def draw_without_its_page() -> None:
 
     Its own page, and a server for it, would come with the first object. An object that needs an
     answer of VPython's page, or a place on it, raises a RuntimeError: VPython would wait for ever.
-    rate and sleep do nothing: the program keeps the time, and sends what has changed.
+    rate is that of the program's loop (support/simulation.py). sleep does nothing.
 
     Raises a ModuleNotFoundError for another version.
     """
@@ -62,8 +62,9 @@ def draw_without_its_page() -> None:
     for name in NEED_ITS_PAGE:
         getattr(vpython, name).__new__ = refuse
     vpython._wait = refuse  # type: ignore[attr-defined]
-    for name in ("rate", "sleep"):
-        setattr(sys.modules["vpython"], name, lambda *_: None)
+    package: Any = import_module("vpython")
+    package.rate = simulation.rate
+    package.sleep = lambda *_: None
 
 
 def take_changes() -> dict[str, list]:

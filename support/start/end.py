@@ -53,6 +53,12 @@ def end_if_signalled() -> None:
         raise SignalError(STATUSES[came[0]])
 
 
+def report_error(kind: type[BaseException], error: BaseException, trace: Any) -> None:
+    """Report an error as Python does, but no end of a program: `python -i` would."""
+    if not issubclass(kind, SystemExit):
+        sys.__excepthook__(kind, error, trace)
+
+
 def report_lost(lost: Any) -> None:
     """Report an error that Python loses in a callback, as Python does, but no SignalError."""
     if not isinstance(lost.exc_value, SignalError):
@@ -70,6 +76,8 @@ def ended_quietly() -> Iterator[None]:
     before = on_signals(end)
     hook = sys.unraisablehook
     sys.unraisablehook = report_lost
+    if sys.flags.interactive:
+        sys.excepthook = report_error
     if hasattr(sys.stdout, "reconfigure"):  # a notebook has another kind of output
         sys.stdout.reconfigure(errors="replace")
     try:
@@ -91,8 +99,9 @@ def ended_quietly() -> Iterator[None]:
 
 
 def is_in_session() -> bool:
-    """Return whether a prompt comes back after a program (IPython, python -i)."""
-    return hasattr(sys, "ps1") or bool(sys.flags.interactive)
+    """Return whether a prompt comes back after a program (IPython, IDLE, python -i)."""
+    is_prompt = hasattr(sys, "ps1") or "idlelib.run" in sys.modules
+    return is_prompt or bool(sys.flags.interactive)
 
 
 def forget_modules() -> None:

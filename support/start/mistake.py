@@ -17,10 +17,12 @@ TYPE_PYTEST = "Type pytest in this folder: it says more about mistakes."
 class MistakeError(Exception):
     """A function raised no error, but its result is unusable."""
 
-    def __init__(self, function: Callable, message: str) -> None:
+    def __init__(self, function: Callable | str, message: str) -> None:
         """Put the function's name before the message, which describes the mistake."""
         # A decorator can make it of a class
         name = getattr(function, "__name__", type(function).__name__)
+        if isinstance(function, str):
+            name = function
         super().__init__(f"{name} {message}")
         self.code = getattr(function, "__code__", None)
 
@@ -33,7 +35,7 @@ def is_in_src(filename: str) -> bool:
 def students_frames(error: BaseException, player: str) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in src/, and below those of the player's file.
 
-    Return none if the player itself failed, which main has called, or was not called yet.
+    Return none if the player itself failed, which the program has asked, or has not run it yet.
     """
     if isinstance(error, MistakeError) and error.code:
         code = error.code
@@ -50,7 +52,7 @@ def students_frames(error: BaseException, player: str) -> list[traceback.FrameSu
 
 
 def report_mistake(error: BaseException, player: str = "") -> str:
-    """Print the traceback of an error on stderr, and return the error in one line, with its place.
+    """Print the traceback of an error on stderr, and return the error in one line, with its line.
 
     player is the file that has called the student's functions. The traceback has only lines of
     theirs: what they call is right, but got a wrong argument.
@@ -58,18 +60,33 @@ def report_mistake(error: BaseException, player: str = "") -> str:
     frames = students_frames(error, player)
     report = traceback.TracebackException.from_exception(error)
     report.stack[:] = frames or report.stack
+    if isinstance(error, SyntaxError):  # it says the place itself
+        report.stack[:] = []
     text = "".join(report.format())
     message = " ".join("".join(report.format_exception_only()).split())
-    if isinstance(error, MistakeError):
+    if isinstance(error, MistakeError):  # of a function, or of the program as a whole
+        report.stack[:] = frames
         message = str(error)
         text = "".join([*report.stack.format(), message, "\n"])
     if frames:
         text += f"{TYPE_PYTEST}\n"
     print(text, file=sys.stderr, end="")
-    last = report.stack[-1]
-    path = Path(last.filename).resolve()
-    place = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
-    return f"{message} ({place}, line {last.lineno})"
+    if isinstance(error, SyntaxError):
+        place, line = place_of(str(error.filename), error.lineno), error.text
+        message = f"{type(error).__name__}: {error.msg}"
+    elif report.stack:
+        last = report.stack[-1]
+        place, line = place_of(last.filename, last.lineno), last.line
+    else:
+        return message
+    return f"{message} ({place}: {(line or '').strip()})"
+
+
+def place_of(file: str, line: int | None) -> str:
+    """Return a line of a file as a message names it."""
+    path = Path(file).resolve()
+    name = path.relative_to(ROOT).as_posix() if path.is_relative_to(ROOT) else path.name
+    return f"{name}, line {line}"
 
 
 def report_endless_loop(error: BaseException, player: str = "") -> None:
@@ -88,13 +105,14 @@ def report_endless_loop(error: BaseException, player: str = "") -> None:
     print(f"{place}: does a loop in {functions} never end?", file=sys.stderr)
 
 
-def require_pendula(make: Callable, pend_list: Any, keys: Iterable[str], parts: int) -> None:
-    """Raise a MistakeError if the function make has returned no list of complete pendula.
+def require_pendula(make: Callable | str, pend_list: Any, keys: Iterable[str], parts: int) -> None:
+    """Raise a MistakeError if pend_list, which make has made, is no list of complete pendula.
 
     keys are those of a pendulum's numbers, parts is the number of its objects.
     """
-    must = "return a list of dictionaries, and main must show it; page.show got"
-    require_list(make, pend_list, must)
+    if not pend_list or not is_pend_list(pend_list):
+        must = "must return a list of dictionaries, for is_running(pend_list); it got"
+        raise MistakeError(make, f"{must} {in_short(repr(pend_list))}.")
     require_numbers(make, pend_list, keys)
     for number, pend in enumerate(pend_list, start=1):
         objects = pend.get("objects")
@@ -105,21 +123,12 @@ def require_pendula(make: Callable, pend_list: Any, keys: Iterable[str], parts: 
             )
 
 
-def require_list(make: Callable, pend_list: Any, must: str) -> None:
-    """Raise a MistakeError if pend_list is no list of dictionaries.
-
-    must says what the function make must do.
-    """
-    if not pend_list or not is_pend_list(pend_list):
-        raise MistakeError(make, f"must {must} {in_short(repr(pend_list))}.")
-
-
 def is_pend_list(value: Any) -> bool:
     """Return whether a value is a list of dictionaries."""
     return isinstance(value, list) and all(isinstance(pend, dict) for pend in value)
 
 
-def require_numbers(function: Callable, pend_list: list[dict], keys: Iterable[str]) -> None:
+def require_numbers(function: Callable | str, pend_list: list[dict], keys: Iterable[str]) -> None:
     """Raise a MistakeError if a pendulum has no number below LARGEST_NUMBER for one of these keys.
 
     The function has set them.

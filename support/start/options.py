@@ -189,7 +189,7 @@ def read_page_options() -> argparse.Namespace:
 
     They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, seconds, and
     the paths experiment, ghosts, html and html_all. None for e or mass keeps the values of the CSV.
-    None for angle or lift keeps the values with which main makes the cradle. None is no such file.
+    None for angle or lift keeps those of the program. None is no such file.
     """
     parser = page_options("Newton's cradle in the browser, to play with.")
     return parse_page(parser)

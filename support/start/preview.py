@@ -1,158 +1,132 @@
-"""Find the functions that a student has not written yet, and show the cradle without them."""
+"""Show as much of the cradle as you have written, and name the function to write next.
 
-import ast
+A function that is not written yet raises a NotImplementedError.
+"""
+
+import sys
 from collections import ChainMap
-from collections.abc import Collection, Mapping
-from contextlib import suppress
-from typing import Any, NamedTuple, Protocol
+from collections.abc import Callable
+from contextlib import redirect_stdout
+from io import StringIO
+from traceback import extract_tb
+from typing import Any
 
+from support import constants
 from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.main_page import Loop, Page
-from support.pendulum import discard
-from support.root import SRC
-from support.start.output import refuse
+from support.pendulum import discard, Pendulum
+from support.simulation import is_running
+from support.start.mistake import place_of, require_pendula
 
-# The first lines of the statements that the handout provides around a raise, as ast.unparse writes
-# them.
-GIVEN = {
-    "df = pd.read_csv(relative_filepath)",
-    "bad_rep = df.to_dict(orient='index')",
-    "page.show(pend_list)",
-    "while page.is_running():",
-}
+# The modules with functions of the handout, beside the program
+MODULES = ("src.pds_helper", "src.special_cradles", "src.swinging")
 
 
-class Stub(NamedTuple):
-    """The raise from tests/make_starter.py in a function that is not written yet."""
+class UnwrittenError(NotImplementedError):
+    """There is no cradle to see yet: a function that makes it is missing."""
 
-    line: int
-    has_code: bool  # apart from the raise, which stops it
-
-
-class HasFunctions(Protocol):
-    """A cradle, with the functions that make and move it."""
-
-    needs: set[str]  # the names of those without which there is no picture
-    scope: ChainMap[str, Any]
-
-    def slow_remark(self) -> str:
-        """Return why the program is slow although nobody has changed a function, or ""."""
+    def __init__(self, name: str, place: str) -> None:
+        """Name the missing function, and the place where it must be written."""
+        super().__init__(f"There is no cradle to see yet. Write next: {name} ({place}).")
 
 
-def stubs_in(source: str | bytes) -> dict[str, Stub]:
-    """Return the stub of each function in source that has one, by the function's name.
+def preview(
+    names: dict[str, Any], error: NotImplementedError, note: Callable[[str], object]
+) -> None:
+    """Show the cradle with the functions that are written; note(words) gets the next one.
 
-    Raises a SyntaxError or a ValueError if Python cannot compile the source.
+    names are those of the program, which has raised this error. Raises an UnwrittenError if there
+    is no cradle yet, and the error if no function of the handout is missing.
     """
-    found: dict[str, Stub] = {}
-    for function in ast.parse(source).body:
-        name = getattr(function, "name", "")
-        for node in ast.walk(function):
-            for part in ("body", "orelse"):
-                block = getattr(node, part, None)
-                stub = stub_in(block, name) if isinstance(block, list) else None
-                if stub:
-                    found.setdefault(name, stub)
-    return found
+    if "newton_cradle_tick" not in names:  # the error comes from an import
+        raise error
+    written = Written(names)
+    pend_list = written.make_cradle()
+    written.note(error)
+
+    swing = ("full_swing_update", pend_list, R_PARAM, DT, G)
+    calls: list[tuple] = []  # of a tick
+    if written.lacks("angle_update", "full_swing_update"):
+        sight = "With tier C, the pendula swing."
+    elif written.lacks("handle_collision", "handle_two_bobs"):
+        calls = [swing]
+        sight = "With tier B, two bobs collide. If no pendulum swings, type pytest."
+    elif written.lacks("newton_cradle_tick"):
+        while len(pend_list) > 2:
+            discard(pend_list.pop()["objects"])
+        calls = [swing, ("handle_two_bobs", pend_list[0], pend_list[-1], R_PARAM)]
+        sight = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
+    elif written.lacks("the program"):
+        calls = [("newton_cradle_tick", pend_list, R_PARAM, DT, G)]
+        sight = "Here, newton_cradle_tick moves all pendula. If it does not, type pytest."
+    else:
+        raise error
+    name, place = written.next()
+    note(f"Write next: {name} ({place}). {sight}")
+    while is_running(pend_list):
+        for function, *arguments in calls:
+            written.functions[function](*arguments)
 
 
-def stub_in(block: list[ast.stmt], name: str) -> Stub | None:
-    """Return the stub of the function with this name in a block of statements.
+class Written:
+    """The functions of the handout, as they are written."""
 
-    A raise below a return is no stub: it never runs.
-    """
-    stub = f"raise NotImplementedError('{name} is not written yet')"
-    lines = [ast.unparse(statement).partition("\n")[0] for statement in block]
-    if stub not in lines:
-        return None
-    place = lines.index(stub)
-    if any(line.startswith("return") for line in lines[:place]):
-        return None
-    code = {line for line in lines if not line.startswith(("'", '"'))} - GIVEN - {stub}
-    return Stub(block[place].lineno, has_code=bool(code))
+    def __init__(self, names: dict[str, Any]) -> None:
+        """names are those of the program."""
+        self.functions = ChainMap(names, *(vars(sys.modules[name]) for name in MODULES))
+        self.missing: dict[str, str] = {}  # the places of those that are not, by their names
 
+    def make_cradle(self) -> list[Pendulum]:
+        """Return the cradle; call each function once, in the order of the handout.
 
-def unwritten_in(module: str) -> dict[str, Stub]:
-    """Return the stubs of a module of src/.
+        Raises an UnwrittenError if the functions that make the cradle are missing, and a
+        MistakeError if it has no pendula.
+        """
+        path = constants.NC_FP
+        self.call("extract_and_convert", path)
+        self.call("uniform_mass_newton_cradle", path, 1.0)
+        self.call("uniform_e_newton_cradle", path, 1.0)
+        self.call("elastic_newton_cradle", path)
+        self.call("inelastic_newton_cradle", path)
+        make = self.functions["make_newton_cradle"]
+        try:
+            pend_list = make(path, R_PARAM, THETA_INIT)
+        except NotImplementedError as error:
+            self.note(error)
+            raise UnwrittenError(*self.next()) from None
+        require_pendula(make, pend_list, keys=(), parts=3)
+        self.call("angle_update", 0.0, 0.0, R_PARAM, DT, G)
+        self.call("full_swing_update", [], R_PARAM, DT, G)
+        self.call("handle_collision", 1.0, 0.0, 0.0, 1.0, 1.0, R_PARAM)
+        self.call("handle_two_bobs", *map(dict, pend_list[:2]), R_PARAM)
+        self.call("newton_cradle_tick", [], R_PARAM, DT, G)
+        return pend_list
 
-    Without its file, or if Python cannot compile it, return none.
-    """
-    file = SRC / f"{module}.py"
-    with suppress(OSError, SyntaxError, ValueError):  # the import of the file shows why
-        return stubs_in(file.read_bytes())
-    return {}
+    def call(self, name: str, *arguments: Any) -> None:
+        """Note whether a function is missing, by a call that changes and prints nothing."""
+        try:
+            with redirect_stdout(StringIO()):
+                self.functions[name](*arguments)
+        except NotImplementedError as error:
+            self.note(error)
+        except Exception:
+            pass  # it will show in the cradle
 
+    def note(self, error: NotImplementedError) -> None:
+        """Note that the function that has raised this error is missing, or the program."""
+        name, place = missing_in(error)
+        self.missing.setdefault(name, place)
 
-def missing_in(*modules: str, names: Collection[str] | None = None) -> str:
-    """Return the functions in these modules of src/ that are not written yet, with their files.
+    def lacks(self, *names: str) -> bool:
+        """Return whether one of these functions is missing."""
+        return not self.missing.keys().isdisjoint(names)
 
-    names are those of the functions that matter; without names, all do.
-    """
-    places = []
-    for module in modules:
-        found = []
-        for name, stub in unwritten_in(module).items():
-            if names is None or name in names:
-                found.append(f"{name} (delete line {stub.line})" if stub.has_code else name)
-        if found:
-            places.append(f"{', '.join(found)} in src/{module}.py")
-    return "; ".join(places)
-
-
-def end_if_unwritten(*modules: str, names: Collection[str] | None = None) -> None:
-    """If functions in these modules of src/ are missing, name them, and exit with status 2."""
-    missing = missing_in(*modules, names=names)
-    if missing:
-        refuse(f"There is no cradle to see yet. Write first: {missing}.")
-
-
-def what_there_is(main: Loop, cradle: HasFunctions) -> tuple[Loop, str]:
-    """Return main, or a simpler loop, and a remark: the missing functions, or why main is slow.
-
-    The remark can be empty.
-    Exit if functions are missing without which there is no picture.
-    """
-    end_if_unwritten("pds_helper", "special_cradles", names=cradle.needs)
-    others = missing_in("special_cradles")
-    for_swings = missing_in("swinging")
-    for_hits = missing_in("visualize_cradle_run")
-    loop = main
-    sentence = ""
-    if for_swings:
-        loop = preview(cradle.scope)
-        sentence = "Then the pendula swing."
-    elif for_hits:
-        collision = {"handle_collision", "handle_two_bobs"}
-        collides = not missing_in("visualize_cradle_run", names=collision)
-        loop = preview(cradle.scope, swings=True, collides=collides)
-        if collides:
-            sentence = (
-                "Here are the first two pendula alone: their bobs collide. If not, type pytest."
-            )
-        else:
-            sentence = "Then the bobs collide. If no pendulum swings, type pytest."
-    missing = "; ".join(place for place in (others, for_swings or for_hits) if place)
-    if missing:
-        return loop, f"Write next: {missing}. {sentence}".strip()
-    return loop, cradle.slow_remark()
+    def next(self) -> tuple[str, str]:
+        """Return the first function that is missing, and its place."""
+        return next(iter(self.missing.items()))
 
 
-def preview(scope: Mapping[str, Any], swings: bool = False, collides: bool = False) -> Loop:
-    """Return a loop that makes and moves a cradle with the functions in scope that are written.
-
-    swings says whether full_swing_update is written, collides whether handle_two_bobs is: then
-    there are two pendula.
-    """
-
-    def loop(page: Page) -> None:
-        cradle = scope["make_newton_cradle"](page.csv, R_PARAM, THETA_INIT)
-        while collides and len(cradle) > 2:
-            discard(cradle.pop()["objects"])
-        page.show(cradle)
-        while page.is_running():
-            if swings:
-                scope["full_swing_update"](cradle, R_PARAM, DT, G)
-            if collides and len(cradle) == 2:
-                scope["handle_two_bobs"](*cradle, R_PARAM)
-
-    return loop
+def missing_in(error: NotImplementedError) -> tuple[str, str]:
+    """Return the name of the function that has raised this error, and its place."""
+    frame = extract_tb(error.__traceback__)[-1]
+    name = "the program" if frame.name == "<module>" else frame.name
+    return name, place_of(frame.filename, frame.lineno)

@@ -3,7 +3,12 @@
 An older Python can compile this file, too.
 """
 
+import os
 import sys
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+# Modules that the programs use, beside Python's own
+USED = ("numpy", "pandas", "support", "vpython")
 
 
 def require_python() -> None:
@@ -15,19 +20,31 @@ def require_python() -> None:
         )
 
 
+def taken_names() -> list:
+    """Return a sentence about each file in src/, or beside it, with the name of another module."""
+    sentences = []
+    for folder in ("src/", ""):
+        for file in sorted(os.listdir(os.path.join(PROJECT, folder))):
+            name, ending = os.path.splitext(file)
+            if ending == ".py" and (name in sys.stdlib_module_names or name in USED):
+                sentences.append(f"{folder}{file} has the name of another module. Rename it.")
+    return sentences
+
+
 def begin() -> None:
     """Prepare the start of a program.
 
-    This is ready for signals, and lets the import of pandas wait until the program uses it. Exits
-    with one line if Python is too old.
+    This is ready for signals. Exits with one line if Python is too old. Names files that hide
+    a module of Python's: what follows can then fail.
     """
     require_python()
-    # Not earlier: an older Python cannot compile them.
-    from support.start import early, end
+    for sentence in taken_names():
+        print(sentence, file=sys.stderr)
+    # Not earlier: an older Python cannot compile it.
+    from support.start import end
 
     if not end.is_in_session():  # a session keeps its own signals if an import fails
         end.on_signals(end.exit_at_once)
-    early.import_later("pandas")  # it takes longest: the page imports it while the browser loads
 
 
 def refuse_to_run() -> None:

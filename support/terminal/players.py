@@ -5,6 +5,7 @@ import sys
 from argparse import Namespace
 from contextlib import redirect_stdout
 from math import degrees, inf, pi, remainder
+from pathlib import Path
 from typing import Any
 
 from support.cradle.cradle import Cradle
@@ -12,7 +13,6 @@ from support.cradle.motion import Motion, percent_as_text
 from support.cradle.player import Player, run
 from support.cradle.settings import Settings
 from support.files.data_file import whole_file
-from support.main_page import Loop
 from support.start.output import in_one_line, Progress, progress_bar
 
 TICKS_A_FRAME = 1000  # ticks from one report of a recording's progress to the next
@@ -55,6 +55,7 @@ class Lines(Player):
         self.has_remark = False  # whether it has printed one on this run
 
     def show_new_cradle(self) -> None:
+        print_remarks(self)
         print(heading(self.motion))
         self.take_sample()
         self.pace.restart()
@@ -116,14 +117,12 @@ class DataRecorder(Player):
         self.writer.writerow(self.motion.shown_sample().values())
 
 
-def show(loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, remark: str) -> None:
-    """Print a remark, if there is one, and the lines of options.seconds."""
-    if remark:
-        print(remark)
-    run(loop, Lines(cradle, settings, options.seconds))
+def show(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -> None:
+    """Print the lines of options.seconds of a program, this file."""
+    run(file, Lines(cradle, settings, options.seconds))
 
 
-def record(loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, remark: str) -> None:
+def record(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -> None:
     """Write the data of options.seconds to the file options.record, whole or not at all.
 
     The name - stands for the output.
@@ -132,16 +131,21 @@ def record(loop: Loop, cradle: Cradle, settings: Settings, options: Namespace, r
         rows = csv.writer(sys.stdout, lineterminator="\n")
         # Words are no data, also those of a student's function
         with redirect_stdout(sys.stderr):
-            if remark:
-                print(remark)
-            run(loop, DataRecorder(cradle, settings, options, rows, progress=lambda done: None))
+            recorder = DataRecorder(cradle, settings, options, rows, progress=lambda done: None)
+            run(file, recorder)
+            print_remarks(recorder)
         return
-    with whole_file(options.record) as file, progress_bar() as progress:
-        rows = csv.writer(file, lineterminator="\n")
+    with whole_file(options.record) as data, progress_bar() as progress:
+        rows = csv.writer(data, lineterminator="\n")
         recorder = DataRecorder(cradle, settings, options, rows, progress)
-        run(loop, recorder)
-    if remark:
-        print(remark)
+        run(file, recorder)
+    print_remarks(recorder)
     count = recorder.last // recorder.step + 1
     end = f"{recorder.motion.time():.15g} s"
     print(in_one_line(f"{count} rows, from t = 0 to {end}, are in {options.record}"))
+
+
+def print_remarks(player: Player) -> None:
+    """Print what there is to say about a run."""
+    for remark in player.remarks:
+        print(remark)

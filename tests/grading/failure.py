@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from grading import limits
 from grading.grader import Check, checks, place_of, runner, STEPS, WrongError
-from grading.handout import FUNCTIONS
+from grading.handout import FUNCTIONS, PROGRAM
 from grading.messages import error_lines, place_lines
 from grading.present import present
 from grading.room import labelled, Part, Rank
@@ -137,10 +137,12 @@ class SeenAgain(NamedTuple):
 def watch_again(check: Check, error: WrongError) -> SeenAgain:
     """Perform a failed check again, watch its calls, and return what was seen of the wrong one.
 
-    Nothing is seen under a debugger, and if the function took too much memory.
+    Nothing is seen of the program, which is no function, under a debugger, and if the function took
+    too much memory.
     """
     raised = error.raised
-    if present.is_debugged or (raised and isinstance(raised.error, MemoryError)):
+    took_memory = bool(raised and isinstance(raised.error, MemoryError))
+    if check.function == PROGRAM or present.is_debugged or took_memory:
         return SeenAgain(error)
     is_endless = bool(raised and raised.limit)
     watch = Watch(is_named, is_endless)

@@ -27,7 +27,7 @@ from grading.comparing import (
     OTHER_FORM,
     same,
 )
-from grading.handout import FUNCTIONS, is_students, SUITES
+from grading.handout import FUNCTIONS, is_students, PROGRAM, SUITES
 from grading.marks import marks_of
 from grading.messages import about, Call, end_of, own_copies, plain, PlainFile
 from grading.present import present
@@ -300,8 +300,8 @@ def require_same_files(call: Call) -> None:
     """Raise WrongError if a call has written into a file."""
     files = [value for value in call.arguments or () if isinstance(value, PlainFile)]
     has_changed = any(plain(file.path) != file for file in files)
-    # The handout lets main write into NC_FP
-    if has_changed or (runner.has_written and call.function != "main"):
+    # The handout lets the program write into NC_FP
+    if has_changed or (runner.has_written and call.function != PROGRAM):
         lines = [
             ("came back", "A file has changed."),
             ("expected", "All files stay as they are. Only read them."),

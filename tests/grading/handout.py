@@ -39,6 +39,9 @@ SPECIAL = "src/special_cradles.py"
 SWINGING = "src/swinging.py"
 VISUALIZE_FILE = "src/visualize_cradle_run.py"
 DOUBLE = "src/double_cradle.py"
+# The block below `if __name__ == "__main__":`, which makes and moves the cradle. It runs, with its
+# file, as when the file is started.
+PROGRAM = "the program"
 
 # Chapters of the handout
 CONVERTER = "A CVS to pend_list converter (D Tests)"
@@ -125,13 +128,12 @@ FUNCTIONS = {
         must_name=("full_swing_update", "handle_two_bobs"),
         reads=("mass", "e", "theta", "omega", "bob"),
     ),
-    "main": Function(
+    PROGRAM: Function(
         "A",
         VISUALIZE_FILE,
-        "page",
+        "",
         RUNNING,
         waits_for=("make_newton_cradle", "newton_cradle_tick"),
-        must_name=("make_newton_cradle", "newton_cradle_tick"),
     ),
     "make_double_pendulum": Function(
         HONOR,
@@ -166,7 +168,8 @@ IMPORTS = {
     "src/pds_helper.py": "pd PendulumEntry",
     SPECIAL: "vector extract_and_convert COLOR_MAP TEXTURE_MAP make_pendulum PendulumEntry",
     SWINGING: "sin show_pendulum",
-    VISUALIZE_FILE: "mag make_newton_cradle full_swing_update DT G R_PARAM THETA_INIT",
+    VISUALIZE_FILE: "mag make_newton_cradle full_swing_update "
+    "DT G NC_FP R_PARAM THETA_INIT is_running",
     DOUBLE: "vector make_bob_and_cord make_pendulum double_accelerations",
 }
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from grading.handout import FUNCTIONS, IMPORTS, is_students
+from grading.handout import FUNCTIONS, IMPORTS, is_students, PROGRAM
 
 KEYS = "mass", "e", "theta", "omega", "color", "texture", "objects"
 PARTS = "axle", "bob", "cord", "pos", "radius", "axis"
@@ -44,7 +44,7 @@ ROWS: list[tuple[Any, str, str]] = [
     (RecursionError, "", "Your function calls itself, without end."),
     (NameError, "is not defined", "No line that ran has given this name a value. A name comes from the def line, from a line above, or from an import."),
     (IndexError, "", "The first element has the index 0, the last one the length minus 1."),
-    (FileNotFoundError, "", "There is no such file. The parameter has the path of the file to read."),
+    (FileNotFoundError, "", "There is no such file. The parameter has the path of the file to read; in the program, NC_FP has it."),
     (ZeroDivisionError, "", "The value behind / is 0 here."),
 ]
 # fmt: on
@@ -115,6 +115,8 @@ def key_or_import(name: str, code: str, frame: FrameType) -> str:
     if name in KEYS and f"[{name}]" in code:
         return f"A key is text. Write it in quotes: ['{name}']."
     function = frame.f_code.co_name
+    if function == "<module>":
+        function = PROGRAM
     imported = IMPORTS[FUNCTIONS[function].file].split() if function in FUNCTIONS else []
     if name in imported and name not in frame.f_globals:
         source = "comes from another file, or from a package"

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from pandas import DataFrame
 from vpython import box, cylinder, sphere, vector
 
-from grading.handout import FUNCTIONS
+from grading.handout import FUNCTIONS, PROGRAM
 from grading.raised import Place, StoppedError
 from grading.room import LABEL
 from line_by_line.layout import COLUMNS
@@ -85,6 +85,8 @@ class Call(NamedTuple):
         if self.times > 1:
             below.append(f"{self.times} times in a row")
         names = function.parameters.split(", ")
+        if self.function == PROGRAM:
+            return [f"{PROGRAM}, for {self.arguments[0]}", *below]
         for name, value in zip(names, self.arguments, strict=False):
             if not value or not isinstance(value, (PlainFile, dict, list)):
                 arguments.append(f"{name}={text_of(value)}")

@@ -187,8 +187,8 @@ class Grading:
             code = raised.code or [f"    {in_file[-1].code}"]
             if outside[-1] is not raised.places[-1]:
                 hint = (
-                    "This line stands outside of all functions, so it runs when Python reads the "
-                    "file. Remove it."
+                    "This line stands outside of all functions, so it runs whenever Python reads "
+                    "the file. Remove it, or put it below if __name__ == '__main__'."
                 )
         lines = [f"{where}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
         parts = [Part(Rank.ALWAYS, lines[1:])]

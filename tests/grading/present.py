@@ -34,6 +34,7 @@ class PresentCheck:
         self.advice: list[str] = []  # sentences for a student whose solution is right
         # By which time the grader stopped it: CLOCK or PROCESSOR of limits.py, "" if it did not
         self.stopped_by = ""
+        self.has_read_real_csv = False  # the program has, by a path of its own
         self.is_pressed = False  # somebody pressed Ctrl+C
         self.is_debugged = False  # no limit of time holds
 

@@ -1,5 +1,6 @@
 """An error that stopped a student's code: where it was, and what it says."""
 
+import ast
 import re
 import traceback
 from collections.abc import Iterator
@@ -13,13 +14,20 @@ from typing import Any, NamedTuple
 from grading.begin import ROOT
 
 from grading import limits
-from grading.handout import FUNCTIONS
+from grading.handout import FUNCTIONS, PROGRAM
 from grading.hints import of_error
-from support.start.preview import stubs_in
 
 ENDLESS = "Does a loop in it ever end?"
+ENDLESS_PROGRAM = "Does a loop in it go on without is_running, and without rate?"
 ENDING = "This line ends the whole program. Remove it; return ends a function."
 MOST_PLACES = 20  # lines of an error that are kept: a recursion has hundreds
+# The first lines of the statements that the handout provides beside a raise, as ast.unparse writes
+# them
+GIVEN = {
+    "df = pd.read_csv(relative_filepath)",
+    "bad_rep = df.to_dict(orient='index')",
+    "while is_running(pend_list):",
+}
 
 
 class Place(NamedTuple):
@@ -81,7 +89,9 @@ def stopped_error(error: BaseException, function: str) -> StoppedError:
     if stub:
         hint = stub.hint
     elif isinstance(error, (SystemExit, KeyboardInterrupt)):  # it ends the whole program
-        hint = ENDLESS if limit else ENDING
+        hint = ENDING
+        if limit:
+            hint = ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
     elif not limit:
         with suppress(Exception):  # an error of the student's own, which says nothing of itself
             hint = of_error(error, frames, function)
@@ -142,17 +152,26 @@ def stub_of(error: BaseException) -> StubHint | None:
     frames = traceback.extract_tb(error.__traceback__)
     if not frames or not isinstance(error, NotImplementedError):
         return None
-    name = frames[-1].name
-    if name not in FUNCTIONS:
+    place = frames[-1]
+    name = PROGRAM if place.name == "<module>" else place.name
+    if name not in FUNCTIONS or f"{error}" != f"{name} is not written yet":
         return None
-    stubs = stubs_in("".join(getlines(frames[-1].filename)))
-    if name not in stubs:
-        return None
-    line, has_code = stubs[name]
-    if not has_code:
+    if not has_code_beside(place.filename, place.lineno):
         return StubHint(name, "")
-    delete = f"Delete line {line}, raise NotImplementedError"
-    return StubHint(name, f"{delete}: it stops your function before its end.")
+    delete = f"Delete line {place.lineno}, raise NotImplementedError"
+    return StubHint(name, f"{delete}: it stops {name} before its end.")
+
+
+def has_code_beside(file: str, line: int | None) -> bool:
+    """Return whether a student has written statements beside the raise in this line of a file."""
+    for node in ast.walk(ast.parse("".join(getlines(file)))):
+        for part in ("body", "orelse"):
+            block = getattr(node, part, None)
+            if isinstance(block, list) and line in [statement.lineno for statement in block]:
+                lines = [ast.unparse(statement).partition("\n")[0] for statement in block]
+                code = [text for text in lines if not text.startswith(("'", '"', "raise"))]
+                return not GIVEN.issuperset(code)
+    return False
 
 
 def culprit_of(error: BaseException, text: str, places: tuple[Place, ...]) -> str | None:

@@ -102,10 +102,8 @@ class WrongCall:
     def stores_of_result(self) -> list[Store]:
         """Return what has set the wrong part of the result, else what gave the result."""
         node = self.watch.statements[self.main.returned].node
-        if not self.function.returns:
-            return self.stores_of_lists()
         is_about_list = self.function.returns == "pend_list" and not self.subject.is_result
-        if is_about_list or not isinstance(node, ast.Return):
+        if not self.function.returns or is_about_list or not isinstance(node, ast.Return):
             return []
         part: Any = node.value
         names = self.function.returns.split(", ")
@@ -117,17 +115,6 @@ class WrongCall:
         if isinstance(part, ast.Name):
             return [store for store in stores if store.key == part.id]
         return [store for store in stores if store.number == self.main.returned]
-
-    def stores_of_lists(self) -> list[Store]:
-        """Return what has set a name to one list of pendula, then to another one."""
-        by_name: dict[str, list[Store]] = {}
-        for store in self.watch.stores:
-            if store.holder is self.main and isinstance(store.value, list):
-                by_name.setdefault(store.key, []).append(store)
-        for stores in by_name.values():
-            if len({id(store.value) for store in stores}) > 1:
-                return stores
-        return []
 
     # --- the tables ---
 
@@ -233,11 +220,6 @@ class WrongCall:
         """Return sentences about how the value in question was set, or that it is as before."""
         key = self.subject.key
         pend = self.pendulum()
-        if not self.function.returns and pend is None:
-            lines = sorted({self.line_of(store.number) for store in self.stores})
-            if len(lines) > 1:
-                name = self.stores[0].key
-                return [f"Line {lines[-1]} gives {name} another list than line {lines[0]}."]
         if pend is None or key not in pend:
             return []
         if self.stores:

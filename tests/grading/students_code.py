@@ -1,11 +1,14 @@
 """The student's functions, as the grader finds and calls them."""
 
+import ast
 import atexit
 import importlib
 import os
+import shutil
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
+from linecache import getlines
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from types import FunctionType, ModuleType
@@ -15,14 +18,18 @@ from unittest.mock import patch
 from grading.begin import ROOT
 
 from grading import limits
-from grading.handout import FUNCTIONS, is_students, module_of
+from grading.check_player import CheckPlayer
+from grading.handout import FUNCTIONS, is_students, module_of, PROGRAM
 from grading.messages import own_copies
 from grading.present import present
 from grading.raised import stopped_error
 from line_by_line.instrument import watched
 from line_by_line.state import state_of
 from line_by_line.watch import Watch
+from support import simulation
+from support.files.source_files import fresh_modules, main_module, run_file
 
+PROGRAM_FILE = ROOT / FUNCTIONS[PROGRAM].file
 # The CSV that solutions read instead of the shipped one; each pendulum has another mass.
 SHIPPED_CSV = """\
 mass,e,theta,omega,color,texture
@@ -47,7 +54,7 @@ class MissingError(Exception):
 
 
 class StudentsCode:
-    """Finds and calls the student's functions, in the process of the grader.
+    """Finds and calls the student's functions, and runs the program, in the grader's process.
 
     They find a CSV of the grader in place of newton_cradle_pends.csv: yours may have a mistake, and
     stays as it is.
@@ -57,6 +64,9 @@ class StudentsCode:
         # A solution may leave a file open
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)
         atexit.register(self.folder.cleanup)  # or Python warns of it at the end
+        for file in ROOT.glob("*.csv"):  # the program may use one of them
+            with suppress(OSError):
+                shutil.copyfile(file, Path(self.folder.name) / file.name)
         self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
         # Whether the last call has changed this CSV, which was then put back
@@ -67,12 +77,25 @@ class StudentsCode:
 
         Errors of its import pass.
         """
+        if function == PROGRAM:
+            return self.run_program
         with patch("support.constants.NC_FP", str(self.shipped)):
             module = importlib.import_module(module_of(FUNCTIONS[function].file))
         found = getattr(module, function, None)
         if not callable(found):
             raise MissingError
         return found
+
+    def run_program(self, player: CheckPlayer) -> None:
+        """Run the student's program from its top, as when it is started; a player lets it tick."""
+        program = main_module(PROGRAM_FILE)
+        player.begin()
+        try:
+            with patch("support.constants.NC_FP", str(self.shipped)), fresh_modules():
+                simulation.play(lambda: run_file(program), player)
+        except SystemExit as end:  # exit() without an error ends the run, as on the page
+            if end.code:
+                raise
 
     def run(self, function: str, arguments: tuple, times: int = 1) -> Any:
         """Call a function of the handout, and return its result.
@@ -155,6 +178,9 @@ class StudentsCode:
 def code_of(function: str) -> Code:
     """Return what is known of a student's function, if it is there."""
     with suppress(Exception):  # it is not imported, or no plain function
+        if function == PROGRAM:
+            nodes = ast.walk(ast.parse("".join(getlines(str(PROGRAM_FILE)))))
+            return Code(names=tuple(node.id for node in nodes if isinstance(node, ast.Name)))
         module = sys.modules[module_of(FUNCTIONS[function].file)]
         code = getattr(module, function).__code__
         parameters = code.co_varnames[: code.co_argcount]

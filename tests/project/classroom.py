@@ -43,14 +43,15 @@ GRADE = {
 AT_ONCE = f"runners.Runner.run_package = lambda *_: (1, {json.dumps(GRADE).encode()})\n"
 
 SLEEPING = f"{10**9 + os.getpid()}"  # seconds that no other process sleeps
-# A solution that leaves a process, which no group has.
+# A solution that leaves a process, which no group has; once, although the program imports it again.
 LEAVES = f"""
 import os
-if not os.fork():
+if "LEFT" not in os.environ and not os.fork():
     os.setsid()
     if os.fork():
         os._exit(0)
     os.execvp("sleep", ["sleep", "{SLEEPING}"])
+os.environ["LEFT"] = "1"
 """
 
 

@@ -7,7 +7,10 @@ import os
 import shutil
 import signal
 import subprocess
+import sys
 from functools import partial
+from types import SimpleNamespace
+from unittest.mock import Mock
 
 import pytest
 from classroom import classroom, engine  # noqa: F401  fixtures
@@ -16,9 +19,13 @@ from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
 from programs import copy_project, needs_vpython, PROGRAM
 from rig import Rig
 from shared_page import file, open_page, shared, whole  # noqa: F401  fixtures
-from students import made, solved, starter  # noqa: F401  fixtures
-from whole_cradles import FIVE_CSV, make_swing
+from students import made, MAKE, solved, starter  # noqa: F401  fixtures
+from vpython import scene
+from whole_cradles import FIVE_CSV, go_on, make_swing, PROGRAMS
 
+from grading.cradles import MIXED_CSV
+from support import pendulum
+from support.page.show_cradle import show
 from support.start.options import PORT_VARIABLE
 
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
@@ -44,6 +51,13 @@ def pytest_itemcollected(item):
         item.add_marker(pytest.mark.xdist_group(item.path.name))
 
 
+@pytest.fixture(autouse=True)
+def no_shapes():
+    """Let each test begin without the shapes of others."""
+    for shapes in (scene.objects, pendulum.in_use, pendulum.discarded):
+        shapes.clear()
+
+
 @pytest.fixture
 def program(tmp_path):
     """The program in a project of its own, with five equal bobs in its CSV."""
@@ -64,10 +78,68 @@ def swing(tmp_path):
     return partial(make_swing, tmp_path)
 
 
+# The last line of what makes the cradle in the program, and of a tick
+LAST_LINES = {
+    "make_newton_cradle": MAKE,
+    "newton_cradle_tick": "    handle_two_bobs(pend1, pend2, r_param)",
+}
+
+
+@pytest.fixture
+def write(tmp_path, monkeypatch):
+    """write(name, line) adds a line where this function is called, or to it, in a copy.
+
+    swing and Rig run the copy.
+    """
+    path = tmp_path / "own_run.py"
+    path.write_text(PROGRAM.read_text())
+    monkeypatch.setitem(PROGRAMS, "single", path)
+
+    def write(name, line):
+        last = LAST_LINES[name]
+        text = path.read_text()
+        assert text.count(f"    {last}\n") == 1
+        path.write_text(text.replace(f"    {last}\n", f"    {last}\n    {line}\n"))
+
+    return write
+
+
 @pytest.fixture
 def rig(csv):
     """A viewer of five bobs, on the stand-in."""
     return Rig(csv)
+
+
+@pytest.fixture
+def start(monkeypatch, csv):
+    """A function that starts a program for three unequal pendula.
+
+    It takes the kind of the cradle, and options; it returns where its server listens, whether it
+    has opened a browser, and the viewer.
+    """
+    csv.write_text(MIXED_CSV)
+    monkeypatch.chdir(csv.parent)
+    server = Mock()
+    server.listener.getsockname.return_value = ["127.0.0.1"]
+    listen = Mock()
+    run = Mock()
+    module = SimpleNamespace(Server=lambda *_: server)
+    monkeypatch.setitem(sys.modules, "support.page.server.server", module)
+    monkeypatch.setattr("support.page.server.port.listen", listen)
+    monkeypatch.setattr("support.page.show_cradle.run", run)
+
+    def start(kind, line):
+        monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *line.split()])
+        monkeypatch.setattr("__main__.__file__", str(PROGRAMS[kind]), raising=False)
+        show()
+        server.close.assert_called()
+        program, viewer = run.call_args.args
+        assert program == PROGRAMS[kind]
+        go_on(viewer)
+        place = listen.call_args.args
+        return SimpleNamespace(place=place, browser=server.browser_start.open.called, viewer=viewer)
+
+    return start
 
 
 @pytest.fixture(scope="session")

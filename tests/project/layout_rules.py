@@ -3,7 +3,6 @@
 - A part has a size. It is inside of all that is around it, and of the window, or can be scrolled
   to.
 - No part covers another one.
-- No word has a line for itself where the word before it has room, too.
 - The tracks of a chart have one length, and equal numbers have equal bars.
 """
 
@@ -19,8 +18,6 @@ FAULTS = """async () => {
     };
     const BOXES = "input, select, summary, svg, .track, .canvas, .hit-part";
     const SMALLEST = 8; // pixels: of a part's width and height
-    const SPACE = 8; // pixels: between two words
-    const GAP = 16; // pixels: between two parts
 
     const style = element => getComputedStyle(element);
     const edges = element => element.getBoundingClientRect();
@@ -28,7 +25,7 @@ FAULTS = """async () => {
     const parts = seen.filter(element => element.matches(`button, ${BOXES}`)).map(boxOf);
     const words = seen.filter(element => !element.matches(BOXES)).flatMap(wordsOf);
     const boxes = [...parts, ...words];
-    const faults = [...crushed(), ...outside(), ...covered(), ...alone(), ...uneven()];
+    const faults = [...crushed(), ...outside(), ...covered(), ...uneven()];
     return [...new Set(faults)];
 
     function isSeen(element) {
@@ -131,41 +128,6 @@ FAULTS = """async () => {
     function meet(a, b) {
         return a.left + 1 < b.right && b.left + 1 < a.right
             && a.top + 1 < b.bottom && b.top + 1 < a.bottom;
-    }
-
-    function alone() {
-        const found = [];
-        for (const [block, texts] of Map.groupBy(words, ({ element }) => blockOf(element))) {
-            texts.sort((a, b) => a.bottom - b.bottom || a.left - b.left);
-            const lines = [...Map.groupBy(texts, ({ bottom }) => Math.round(bottom)).values()];
-            const isEnough = texts.length >= 2 * lines.length; // two words for each line
-            lines.slice(1).forEach(([word, next], number) => {
-                if (next) return;
-                const before = lines[number].at(-1);
-                const needed = word.right - word.left + SPACE + before.right - before.left;
-                const isMissing = needed > widthOf(block);
-                const fits = isMissing ? needed < widthOf(block) + freeBeside(block) : isEnough;
-                if (fits) found.push(`${word.name} has a line for itself`);
-            });
-        }
-        return found;
-    }
-
-    function blockOf(element) {
-        return style(element).display === "inline" ? blockOf(element.parentElement) : element;
-    }
-
-    function widthOf(block) { // without its padding
-        const { paddingLeft, paddingRight } = style(block);
-        return edges(block).width - parseFloat(paddingLeft) - parseFloat(paddingRight);
-    }
-
-    function freeBeside(block) { // the free width on its right
-        const box = edges(block);
-        const others = boxes.filter(({ element, left, top, bottom }) => left >= box.right
-            && top < box.bottom && box.top < bottom && !block.contains(element));
-        const end = edges(block.closest(".question, section, body")).right;
-        return Math.max(0, Math.min(end, ...others.map(({ left }) => left)) - GAP - box.right);
     }
 
     function uneven() {

@@ -95,6 +95,7 @@ def running(
         [python, str(program or PROGRAM), *arguments],
         cwd=folder,
         env=environment,
+        stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,

@@ -7,7 +7,7 @@ from threading import Event
 from types import SimpleNamespace
 
 from vpython import vector
-from whole_cradles import checked, go_on, make_live, thetas
+from whole_cradles import checked, go_on, thetas
 
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
@@ -21,13 +21,14 @@ class Rig:
     The tab has drawn a picture, and always has room.
     """
 
-    def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1, remark=""):
+    def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1):
         self.now = 100.0
         self.file = csv
         self.state = {}
         self.tabs = SimpleNamespace(
             have_room=lambda: True,
             show=self.take,
+            tell=self.take,
             begin_run=lambda: None,
             commands=SimpleQueue(),
             is_seen=Event(),
@@ -35,13 +36,13 @@ class Rig:
         )
         self.tabs.is_seen.set()
         self.viewer = Viewer(
-            make_live(kind),
+            kind(),
             Start(
                 checked(csv, kind.cord_count),
                 LiveFile(csv, self.clock),
+                lambda csv: csv,
                 thetas(angles or [30]),
                 lifted,
-                remark,
             ),
             self.tabs,
             RealTime(kind.dt, self.clock, sleep=lambda seconds: None),
@@ -50,7 +51,7 @@ class Rig:
         self.begin()
 
     def begin(self):
-        """Let main make the cradle, as at the start."""
+        """Let the program make the cradle, as at the start."""
         self.viewer.next_cradle.want()
         go_on(self.viewer)
         self.wait()

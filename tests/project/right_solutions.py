@@ -1,9 +1,11 @@
 """Correct solutions, which the graded suites must accept.
 
-PLAIN has the body of each function of the handout. RIGHT has other ways to write it: the body, or a
+PLAIN has the body of each function of the handout, and of the program's block. RIGHT has other ways to write it: the body, or a
 pair (old text, new text) for its body in PLAIN. Add one, and tests/project/test_graded_suites.py
 covers it.
 """
+
+from grading.handout import PROGRAM
 
 PLAIN = {
     "extract_and_convert": """\
@@ -64,10 +66,9 @@ PLAIN = {
         full_swing_update(pend_list, r_param, dt, g)
         for i in range(len(pend_list) - 1):
             handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)""",
-    "main": """\
-        pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-        page.show(pend_list)
-        while page.is_running():
+    PROGRAM: """\
+        pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
+        while is_running(pend_list):
             newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
     "make_double_pendulum": """\
         axle, bob1, cord1 = make_pendulum(axle_pos, r_param, theta, color, texture)
@@ -91,9 +92,7 @@ RIGHT = {
         "row by row": "return [dict(row) for _, row in pd.read_csv(relative_filepath).iterrows()]",
         "the module csv": "import csv, pathlib; rows = csv.DictReader(pathlib.Path(relative_filepath).read_text().splitlines()); return [{key: float(cell) if cell[-1].isdigit() else cell for key, cell in row.items()} for row in rows]",
     },
-    "uniform_mass_newton_cradle": {
-        "the order of the keys changed": "return [{'mass': mass} | {k: v for k, v in p.items() if k != 'mass'} for p in extract_and_convert(relative_filepath)]",
-    },
+    "uniform_mass_newton_cradle": {},
     "uniform_e_newton_cradle": {"with pandas": "import pandas as pd; return pd.read_csv(relative_filepath).assign(e=e_val).to_dict('records')"},
     "elastic_newton_cradle": {
         "a float, by its name": "return uniform_e_newton_cradle(relative_filepath, e_val=1.0)",
@@ -102,7 +101,7 @@ RIGHT = {
     "inelastic_newton_cradle": {},
     "make_newton_cradle": {
         "new dictionaries": ("return pend_list", "return [dict(pend) for pend in pend_list]"),
-        "with a frame and a name": ("return pend_list", "__import__('vpython').box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); __import__('vpython').cylinder(axis=vector(1, 0, 0), radius=r_param / 20); __import__('vpython').label(text='cradle')\n        return pend_list"),
+        "with a frame and a name": ("return pend_list", "from vpython import box, cylinder, label; box(pos=vector(0, -1, 0), size=vector(2, 0.1, 1)); cylinder(axis=vector(1, 0, 0), radius=r_param / 20); label(text='cradle')\n        return pend_list"),
         "made twice, and the first ones hidden": ("pend['objects'] = make", "for old in make_pendulum(axle_pos, r_param, 0, color, texture): old.visible = False\n            pend['objects'] = make"),
         "each axle from the one before": ("-0.1 + r_param/4 * i", "pend_list[i - 1]['objects'][0].pos.x + r_param/4 if i else -0.1"),
         "theta_init times a truth": ("= theta_init", "= theta_init * (i == 0)"),
@@ -116,7 +115,6 @@ RIGHT = {
     "full_swing_update": {
         "by names": "for pend in pend_list: swing_update(pend_dict=pend, r_param=r_param, dt=dt, g=g)",
         "from the right": ("in pend_list", "in reversed(pend_list)"),
-        "returns the list, too": ("dt, g)", "dt, g)\n        return pend_list"),
         "the shapes turned": """\
             for pend in pend_list:
                 omega, theta = angle_update(pend["omega"], pend["theta"], r_param, dt, g)
@@ -146,23 +144,40 @@ RIGHT = {
                 if i > 0:
                     handle_two_bobs(pend_list[i - 1], pend_list[i], r_param)""",
     },
-    "main": {
-        "the rule handed on": ("DT, G)", "DT, G, **page.rule)"),
-        "NC_FP": ("page.csv", "__import__('support.constants').constants.NC_FP"),
-        "more to see": """\
+    PROGRAM: {
+        "VPython's rate": ("while is_running(pend_list):", "from vpython import *\n        while True:\n            rate(1 / DT)"),
+        "rate after the tick": """\
+            import vpython as vp
+            pendula = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
+            while True:
+                newton_cradle_tick(pendula, R_PARAM, DT, G)
+                vp.rate(10000)""",
+        "rate in a for loop": ("while is_running(pend_list):", "from vpython import rate\n        for _ in range(1000):\n            rate(1 / DT)"),
+        "rate as well, and more to see": """\
             from vpython import arange, arrow, color, label, rate, scene, vector
             scene.title = "Newton's cradle"
-            cradle = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
+            cradle = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
             for x in arange(0, 1, 0.5):
                 arrow(pos=vector(x, 0, 0), axis=vector(0, -G, 0), color=color.red)
             name = label(pos=scene.center, text="cradle")
-            page.show(cradle)
-            while page.is_running():
+            while is_running(cradle):
                 rate(1 / DT)
                 newton_cradle_tick(cradle, R_PARAM, DT, G)
-                name.text = f'cradle of {len(cradle)}'""",
-        "a CSV of its own first": ("pend_list = make_newton_cradle(page.csv", "from src.pds_helper import write_to_csv\n        write_to_csv([{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)])\n        pend_list = make_newton_cradle(__import__('support.constants').constants.NC_FP"),
-        "a list that stays": ("pend_list = make", "pend_list = vars(page).setdefault('list', []); pend_list[:] = make"),
+                name.text = f'cradle of {len(cradle)}'
+            exit()""",
+        "a last tick when all is over": ("while is_running(pend_list):", "running = True\n        while running:\n            running = is_running(pend_list)"),
+        "a loop in a function": """\
+            import support.constants as c
+            def main():
+                # The simulation
+                pend_list = make_newton_cradle(relative_filepath=c.NC_FP, theta_init=c.THETA_INIT, r_param=c.R_PARAM)
+                while is_running(pend_list):
+                    newton_cradle_tick(pend_list, c.R_PARAM, c.DT, c.G)
+            main()""",
+        "a path of its own": ("NC_FP", "'newton_cradle_pends.csv'"),
+        "the path of the file": ("NC_FP", "__import__('pathlib').Path(__file__).parents[1] / 'newton_cradle_pends.csv'"),
+        "an elastic cradle first": ("pend_list =", "from src.pds_helper import *; from src.special_cradles import *\n        pend_list = elastic_newton_cradle(NC_FP)\n        write_to_csv(pend_list, NC_FP)\n        pend_list ="),
+        "pendula of its own first": ("pend_list =", "from src.pds_helper import write_to_csv\n        write_to_csv([{'mass': m, 'e': 1, 'theta': 0, 'omega': 0, 'color': 'red', 'texture': 'none'} for m in (1.0, 2.0)])\n        pend_list ="),
     },
     "make_double_pendulum": {
         "the lower one from a pendulum, its axle hidden": ("bob2, cord2 = make_bob_and_cord(bob1.pos, r_param, theta + phi, color, texture)", "hidden, bob2, cord2 = make_pendulum(bob1.pos, r_param, theta + phi, color, texture)\n        hidden.visible = False"),

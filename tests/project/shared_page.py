@@ -9,20 +9,10 @@ from whole_cradles import FIVE_CSV
 
 # Put the settings back to those with which the page opens, pause, and restart the cradle.
 PUT_BACK = """() => {
-    set("experiment", state.controls.experiment.choices[0]);
-    if (state.running || state.question?.asking) send("pause");
-    for (const name of ["ask_first", "ask_seen", "slow_hits", "arrows", "measure", "separating"])
-        set(name, false);
-    set("graph", state.controls.graph.choices[0]);
-    set("count", 5);
-    set("e", 1);
-    set("mass", 1);
-    send("edit", 1, "mass", "1.0");
-    set("speed", 1);
-    set("lifted", 1);
-    set("release_angle", 45);
-    send("remove_ghosts");
-    send("restart");
+    send("reset");
+    send("pause");
+    set("ask_first", false);
+    set("ask_seen", false);
     if (one("#sound").checked) one("#sound").click();
     for (const open of find("details[open]")) open.open = false;
     for (const popover of find("[popover]")) popover.hidePopover();

@@ -77,7 +77,7 @@ def pendulum_rows(draw):
     sizes = st.sampled_from([1, 1.01]) | st.floats(0.5, 1.1)
     theta, omega = draw(angles), draw(rates)
     row = []
-    for i in range(12 - draw(st.integers(0, 12))):
+    for i in range(12 - draw(st.integers(0, 11))):
         pendulum = {
             "theta": theta + spread * draw(angles),
             "omega": omega + spread * draw(rates),
@@ -94,20 +94,14 @@ DT, G = 1e-4, 9.81  # s, m/s^2: these tests do not depend on the shipped constan
 
 CALLS = st.fixed_dictionaries(  # of do_at_once
     {
-        "r_param": st.sampled_from([R, R, R, -R]),
+        "r_param": st.sampled_from([R, R, R, 2 * R]),
         "dt": st.sampled_from([DT] * 8 + [10 * DT, 1000 * DT, 0, -DT]),
         "g": st.sampled_from([G] * 8 + [1000, 0, -G]),
         "ticks": st.sampled_from([2000, 1000, 500, 10, 1]),
-        "approaching_only": st.booleans(),
+        "separating": st.booleans(),
     }
 )
 
 # theta (rad), the place of the first axle (m), and the factors of the radii
 FACTORS = st.sampled_from([1, 1 + 1e-15, 1 + 1e-14, 1 - 1e-15, 1 - 1e-14])
-HAIRS = st.tuples(st.floats(-1, 1), st.sampled_from([1, 10, 100]), FACTORS, FACTORS)
-
-# theta (rad), omega (rad/s), and y and z of the axle (m) of two pendula
-NEIGHBOUR = st.tuples(
-    st.floats(-1, 1), st.floats(-5, 5), st.floats(-0.1, 0.1), st.floats(-0.1, 0.1)
-)
-NEIGHBOURS = st.tuples(NEIGHBOUR, NEIGHBOUR)
+HAIRS = st.tuples(st.floats(-1, 1), st.sampled_from([1, 1000]), FACTORS, FACTORS)

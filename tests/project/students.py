@@ -11,7 +11,7 @@ from programs import python
 from right_solutions import PLAIN
 
 from grading.grader import checks
-from grading.handout import FUNCTIONS, SUITES
+from grading.handout import FUNCTIONS, PROGRAM, SUITES
 
 COUNTS = {tier: len(checks(tier=tier)) for tier in SUITES}
 
@@ -19,11 +19,8 @@ COUNTS = {tier: len(checks(tier=tier)) for tier in SUITES}
 PYTEST = "-m pytest -p no:cacheprovider -p no:hypothesispytest"
 COLUMNS = 80
 
-# The calls in main that a student writes.
-CALLS = (
-    "pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT)",
-    "newton_cradle_tick(pend_list, R_PARAM, DT, G)",
-)
+# The lines of the program; a student writes the first and the last one.
+MAKE, LOOP, TICK = map(str.strip, PLAIN[PROGRAM].splitlines())
 
 
 @pytest.fixture(scope="session")
@@ -93,8 +90,7 @@ def write(starter, *functions, **bodies) -> None:
     for function in functions:
         path = starter / FUNCTIONS[function].file
         source = path.read_text(encoding="utf-8")
-        # main has a stub for each of its two calls
-        written = CALLS if function == "main" else [{**PLAIN, **bodies}[function]]
+        written = [MAKE, TICK] if function == PROGRAM else [{**PLAIN, **bodies}[function]]
         for body in written:
             stub = rf'^( +)# Write your code here.*\n +raise .*"{function} is not written yet".*\n'
             found = re.search(stub, source, re.MULTILINE)

@@ -8,7 +8,6 @@ from grading.handout import FUNCTIONS
 from grading.hints import of_error
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
-MAIN = 'if __name__ == "__main__":\n    from'
 # A file, an old and a new text in it, and all that pytest prints about it: {} is the line
 BROKEN = {
     "a bracket": (
@@ -26,13 +25,13 @@ BROKEN = {
         "from partially initialized module 'src.swinging' (most likely due to a circular import) "
         "({file}) Your files import each other in a circle. Remove the import in this file.",
     ),
-    "a call of main": (
+    "a call": (
         "src/visualize_cradle_run.py",
-        MAIN,
-        f"main(5)\n{MAIN}",
-        "src/visualize_cradle_run.py, line {}: main(5) AttributeError: 'int' object has no "
-        "attribute 'csv' This line stands outside of all functions, so it runs when Python reads "
-        "the file. Remove it.",
+        "def handle_two_bobs",
+        "full_swing_update(7, 1, 1, 1)\n\n\ndef handle_two_bobs",
+        "src/visualize_cradle_run.py, line {}: full_swing_update(7, 1, 1, 1) TypeError: 'int' "
+        "object is not iterable This line stands outside of all functions, so it runs whenever "
+        "Python reads the file. Remove it, or put it below if __name__ == '__main__'.",
     ),
 }
 

@@ -1,20 +1,18 @@
-"""A cradle as main makes it: options, reloads, release, hits, and results that are no cradle."""
+"""The cradle of a program: its release, hits, own ways, and results that are no cradle."""
 
 import re
 from collections import defaultdict
-from inspect import getsource
 from itertools import chain
-from math import nan
 
 import pytest
-from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, make_live, PERIOD, thetas
+from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
 
 from grading.cradles import MIXED_CSV
-from src import special_cradles, visualize_cradle_run
 from support import pendulum
 from support.constants import DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
+from support.cradle.player import COPY_WRITTEN
 from support.pendulum import BUFFER, outwards_to_angle
 from support.start.mistake import MistakeError
 
@@ -25,17 +23,6 @@ BOTH = pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 
 def values(player, key):
     return player.cradle.values(key)
-
-
-def test_the_mass_and_e_of_all_survive_a_reload(swing):
-    player = swing(MIXED_CSV, e=0.25, mass=2.0)
-    assert values(player, "mass") == [2.0] * 3
-    assert values(player, "e") == [0.25] * 3
-    player.read(FIVE_CSV)
-    assert values(player, "e") == [0.25] * 5
-    player.next_cradle.want(e_source=None)
-    player.read(FIVE_CSV)
-    assert values(player, "e") == [1.0] * 5
 
 
 @BOTH
@@ -51,10 +38,12 @@ def test_release_lifts_the_first_pendula_outwards_and_all_are_at_rest(swing, kin
         assert values(player, key) == [0, 0, 0]
 
 
-def test_without_the_function_for_all_bobs_only_upper_ones_of_a_double_cradle_collide(monkeypatch):
-    monkeypatch.delattr("src.double_cradle.handle_two_double_bobs")
-    monkeypatch.setattr("src.double_cradle.handle_two_bobs", None, raising=False)
-    assert make_live(DoubleCradle).collide_name == "handle_two_bobs"
+def test_without_the_function_for_all_bobs_only_upper_ones_of_a_double_cradle_collide():
+    cradle = DoubleCradle()
+    for name in ("handle_two_bobs", "handle_two_double_bobs"):
+        names = {name: None, "handle_two_bobs": None}
+        cradle.find_functions(names)
+        assert cradle.collide_name == name
 
 
 @BOTH
@@ -88,20 +77,18 @@ def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch):
     assert values(player, "objects") == first
 
 
-@pytest.mark.parametrize(
-    ("kind", "separating"), [(Cradle, False), (Cradle, True), (DoubleCradle, True)]
-)
-def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind, separating):
-    """With e below 1, the bobs of a single cradle move otherwise if separating ones collide."""
+@BOTH
+def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind):
+    """Here, separating bobs collide, too: with e below 1, that is another motion."""
     player = swing(kind=kind, e=0.8)
-    same = swing(kind=kind, e=0.8).cradle
-    player.next_cradle.separating = separating
+    player.next_cradle.separating = True
     ticks = round(0.4 * PERIOD / kind.dt)
     player.swing(ticks)
-    rule = {"approaching_only": not separating} if kind is Cradle else {}
+    same = swing(kind=kind, e=0.8)
+    same.hits.stop()
     for _ in range(ticks):
-        same.scope[kind.tick_name](same.pend_list, R_PARAM, kind.dt, G, **rule)
-    assert player.cradle.coordinates() == same.coordinates()
+        same.cradle.tick_function(same.cradle.pend_list, R_PARAM, kind.dt, G)
+    assert player.cradle.coordinates() == same.cradle.coordinates()
     assert player.motion.hit_count > 0
 
 
@@ -127,60 +114,18 @@ def test_the_speed_of_a_double_hit_is_that_of_the_nearest_bobs(swing, theta, phi
     assert player.motion.loudest == pytest.approx(closer, rel=0.01)
 
 
-def test_a_function_that_returns_no_pendula_with_the_e_of_the_options_is_named(swing, monkeypatch):
-    def elastic_newton_cradle(_):
-        pass
-
-    monkeypatch.setattr(special_cradles, "elastic_newton_cradle", elastic_newton_cradle)
-    message = "^elastic_newton_cradle must return a list of dictionaries; it returned None.$"
-    with pytest.raises(MistakeError, match=message):
-        swing(elastic=True)
-
-
-@pytest.fixture
-def change(monkeypatch):
-    """A function that lets mistake(pend_list) change what make_newton_cradle or a tick has done.
-
-    make_newton_cradle then returns its result.
-    """
-
-    def change(name, mistake):
-        function = vars(visualize_cradle_run)[name]
-
-        def changed(given, *others):
-            pend_list = function(given, *others) or given
-            return mistake(pend_list)
-
-        changed.__name__ = name
-        monkeypatch.setattr(visualize_cradle_run, name, changed)
-
-    return change
-
-
-def test_hits_are_calls_of_the_function_beside_the_tick(swing, monkeypatch):
-    """Also where a student has both in another file. Afterwards, the function is back."""
-    names = dict(vars(visualize_cradle_run))
-    exec(getsource(visualize_cradle_run.newton_cradle_tick), names)
-    monkeypatch.setattr(visualize_cradle_run, TICK, names[TICK])
-    player = swing()
-    player.cradle.many_ticks = None
-    player.swing(round(0.4 * PERIOD / player.cradle.dt))
-    assert player.motion.hit_count >= 4
-    assert names["handle_two_bobs"] is visualize_cradle_run.handle_two_bobs
-
-
 def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     """Also where a bob has its old velocity after the tick, and where a function gets copies.
 
-    Bobs that move apart hit with a speed below 0. Only two pendula of the cradle can hit.
+    Bobs that move apart hit with a speed below 0.
     """
     player = swing(HEADER + GOOD * 3, lift=0)
+    player.next_cradle.separating = True
     cradle = player.cradle
     for bob in cradle.bobs():
         bob.radius *= 1.01
     first, second, third = cradle.pend_list
     first["omega"] = 2.0
-    player.hits.listen()
     collide = cradle.tick_names["handle_two_bobs"]
     collide(first, second, R_PARAM)
     collide(second, third, R_PARAM)
@@ -188,8 +133,7 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     collide(third, pend2=second, r_param=R_PARAM)  # in any order
     collide(dict(first), dict(second), R_PARAM)
     player.hits.stop()
-    for others in ((), (first,), ({"omega": 0},)):
-        player.hits.note_hit(lambda pend, *_: pend.update(omega=1), dict(first), *others)
+    assert cradle.tick_names["handle_two_bobs"] is not collide
     hits = player.hits.noted
     assert [(hit.left, hit.right) for hit in hits] == [(0, 1), (1, 2), (1, 2), (0, 1)]
     speeds = [hit.speed / R_PARAM for hit in hits]
@@ -199,7 +143,44 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
         assert [pend["omega"] for pend in hit.before + hit.after] == omegas
 
 
-# --- the functions of a student -----------------------------------------------------------------
+@pytest.mark.parametrize(
+    ("kind", "theta", "omega", "is_asked"),
+    [
+        (Cradle, 0, 1, True),
+        (Cradle, 0, -1, False),
+        (Cradle, 0, 0, False),
+        (Cradle, 2.5, 1, False),  # above the axle, it moves to the left
+        (Cradle, 2.5, -1, True),
+        (DoubleCradle, 0, -1, True),
+    ],
+)
+def test_the_function_is_asked_only_about_single_bobs_that_approach(
+    swing, kind, theta, omega, is_asked
+):
+    """However the two pendula are given; what is not two pendula is for the function to refuse."""
+    player = swing(kind=kind, lift=0)
+    left, right, *_ = player.cradle.pend_list
+    left.update(theta=theta, omega=omega)
+    right["theta"] = theta
+
+    def collide(*arguments, **named):
+        return player.hits.collide(lambda *_, **__: "asked", *arguments, **named)
+
+    assert not player.hits.was_asked
+    for result in (
+        collide(left, right, R_PARAM),
+        collide(right, left, R_PARAM),
+        collide(r_param=R_PARAM, pend2=right, pend1=left),
+        collide(dict(left), dict(right), R_PARAM),
+    ):
+        assert result == ("asked" if is_asked else None)
+    assert player.hits.was_asked
+    strange = [(), (5,), (left, R_PARAM), ({"objects": "axle"},), (right | {"theta": "0"},)]
+    for others in strange:
+        assert collide(left, *others) == "asked"
+
+
+# --- the program of a student --------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -211,57 +192,60 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     ],
 )
 def test_the_first_picture_shows_the_cradle_as_it_was_made(
-    swing, change, angle, lift, angles, omega
+    swing, write, angle, lift, angles, omega
 ):
     """Only options change it. Here, two bobs are lifted by 10 degrees, and the last one moves."""
-
-    def lift_two(pend_list):
-        for pend in pend_list[:2]:
-            pend["theta"] = outwards_to_angle(10)
-        pend_list[2]["omega"] = -2
-        return pend_list
-
-    change(MAKE, lift_two)
+    write(MAKE, f"pend_list[0]['theta'] = pend_list[1]['theta'] = {outwards_to_angle(10)}")
+    write(MAKE, "pend_list[2]['omega'] = -2")
     player = swing(MIXED_CSV, angle, lift)
     assert values(player, "theta") == pytest.approx(thetas(angles))
     assert values(player, "omega") == [0, 0, omega]
 
 
-def put(key, value):
-    """Return a mistake: it sets pend[key] of the second pendulum."""
-
-    def mistake(pend_list):
-        pend_list[1][key] = value
-        return pend_list
-
-    return mistake
-
-
-def take_omega(pend_list):
-    del pend_list[4]["omega"]
-    return pend_list
-
-
-NO_LIST = "must return a list of dictionaries, and main must show it; page.show got "
+WRITE = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)"
 
 
 @pytest.mark.parametrize(
-    ("name", "mistake", "message"),
+    ("line", "remarks"),
     [
-        (MAKE, lambda pend_list: None, f"{NO_LIST}None."),
-        (MAKE, lambda pend_list: [], f"{NO_LIST}[]."),
-        (MAKE, lambda pend_list: ["pendulum"], f"{NO_LIST}['pendulum']."),
-        (MAKE, put("theta", "0"), "set theta of pendulum 2 to '0'; it must be a number "),
-        (MAKE, put("theta", 1e200), "set theta of pendulum 2 to 1e+200; it must"),
-        (MAKE, put("objects", []), "set objects of pendulum 2 to a list; it must be a tuple"),
-        (MAKE, take_omega, "set omega of pendulum 5 to nothing; it must"),
-        (TICK, put("omega", nan), "set omega of pendulum 2 to nan; it must"),
-        (TICK, list.pop, "made 4 pendula from 5; it must keep their number."),
+        ("pass", []),
+        ("pend_list[1]['e'] = 0.3", ["The program does not take e from NC_FP."]),
+        (
+            "pend_list[0].update(mass=2, e=0.25)",
+            ["The program does not take mass and e from NC_FP."],
+        ),
+        ("pend_list.pop()", ["The program does not take the number of bobs from NC_FP."]),
+        (f"pend_list[0]['mass'] = 2; {WRITE}", [COPY_WRITTEN]),
     ],
 )
-def test_a_result_that_is_no_cradle_is_named_with_its_function(
-    swing, change, name, mistake, message
+@pytest.mark.parametrize("options", [{}, {"e": 0.5}])
+def test_what_a_program_does_not_take_from_a_changed_csv_is_said(
+    swing, write, csv, options, line, remarks
 ):
-    change(name, mistake)
+    """With an option, or a slider, it gets a copy, and cannot write the CSV."""
+    write(MAKE, line)
+    assert swing(**options).remarks == (remarks if options else [])
+    is_written = WRITE in line and not options
+    assert (csv.read_text() == FIVE_CSV) is not is_written
+
+
+NO_LIST = "must return a list of dictionaries, for is_running(pend_list); it got "
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "message"),
+    [
+        (MAKE, "pend_list = []", f"{NO_LIST}[]."),
+        (MAKE, "pend_list = ['pendulum']", f"{NO_LIST}['pendulum']."),
+        (MAKE, "pend_list[1]['theta'] = '0'", "set theta of pendulum 2 to '0'; it must be a "),
+        (MAKE, "pend_list[1]['theta'] = 1e200", "set theta of pendulum 2 to 1e+200; it must"),
+        (MAKE, "pend_list[1]['objects'] = []", "set objects of pendulum 2 to a list; it must be"),
+        (MAKE, "del pend_list[4]['omega']", "set omega of pendulum 5 to nothing; it must"),
+        (TICK, "pend_list[1]['omega'] = float('nan')", "set omega of pendulum 2 to nan; it must"),
+        (TICK, "pend_list.pop()", "made 4 pendula from 5; it must keep their number."),
+    ],
+)
+def test_a_result_that_is_no_cradle_is_named_with_its_function(swing, write, name, line, message):
+    write(name, line)
     with pytest.raises(MistakeError, match=f"^{re.escape(f'{name} {message}')}"):
         swing().swing(1)

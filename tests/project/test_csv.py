@@ -27,14 +27,12 @@ REFUSED = {
     "blank": ("\n  \n,,\n", ": is empty, "),
     "latin-1": (b"\xef\xbb\xbf\n\nros\xe9\n", ", line 3: found byte 0xe9, allowed is text only"),
     "workbook": (b"PK\3\4\xff", ": is a workbook; save it as CSV "),
-    "UTF-16": (HEADER.encode("utf-16"), ": is text in UTF-16; save it in UTF-8"),
     "endless cell": (HEADER + '"' + "x" * 200_000, ", line 2: field larger than field limit"),
     "decimal comma": (
         f"\n{HEADER}1,0,5,0,0,red,none\n",
         ", line 3: found 7 cells, allowed are at most 6, as in line 2; a decimal comma needs semi",
     ),
     "no row": (HEADER, ": names columns but has no pendulum, "),
-    "two columns": ("mass,mass\n", ", line 1 must name the columns: found 2 columns mass in "),
     "no column": (
         "Mass;e\n",
         ", line 1 must name the columns: found no column mass in 'Mass', 'e';",

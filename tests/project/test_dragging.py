@@ -87,13 +87,3 @@ def test_a_bob_stops_if_those_in_its_way_have_no_room():
     for held, bob, x, y in [(3, 0, 0.57, 0.17), (3, 1, -0.27, 0.03)]:
         drag_bob(pend_list, held, bob, x, y, R)
         assert min(distances(pend_list)) > 0.999
-
-
-def test_all_stay_where_they_were_if_there_is_no_room(monkeypatch):
-    """It does not jump to the next free place, and the other pendula swing on."""
-    pend_list = double_row(3)
-    answers = iter([False] + [True] * 99)
-    monkeypatch.setattr("support.cradle.dragging.push_others", lambda *_: next(answers))
-    drag_bob(pend_list, 0, 0, 0.3, -0.3, R)
-    assert [cord_angles(pend) for pend in pend_list] == [[0, 0]] * 3
-    assert [pend["omega"] for pend in pend_list] == [0, 2, 2]

@@ -1,77 +1,69 @@
-"""A function that does not return is named, and only that one."""
+"""A function that does not return is named, and only that one; test_saved_code.py has the page."""
 
-import re
 from types import SimpleNamespace
 
-import pytest
-
-from src import visualize_cradle_run
-from support.cradle.player import run
 from support.page import endless
+from support.root import SRC
 
 LOOKS = round(endless.TOO_LONG / endless.LOOK)
 
 
 def frame(name):
-    code = SimpleNamespace(co_filename=f"src/{name}.py", co_name=name)
-    return SimpleNamespace(f_code=code, f_lineno=7)
+    """Return a frame of swinging.py, in a function with this name."""
+    code = SimpleNamespace(co_filename=SRC / "swinging.py", co_name=name)
+    return SimpleNamespace(f_code=code, f_lineno=len(name), f_globals={})
 
 
 class Watched:
-    """A watch, what its loop has done, and what it tells."""
+    """A watch of a loop that a test moves, the frames that it is in, and what the watch tells."""
 
-    def __init__(self):
+    def __init__(self, monkeypatch):
         self.done = 5
+        self.frames = []
         self.told = []
-        self.watch = endless.Watch(lambda: self.done, self.told.append)
+        self.stopped = []
+        self.watch = endless.Watch(lambda: self.done, self.tell, lambda: True)
+        monkeypatch.setattr(endless, "running", lambda thread: self.frames)
+        monkeypatch.setattr(endless, "raise_in", lambda thread, error: self.stopped.append(error))
+
+    def tell(self, state):
+        self.told.append(state["endless"])
+
+    def does(self, *frames):
+        self.frames = frames
+        self.done += 1
+        self.watch.look()
+
+    def stands(self, looks):
+        for _ in range(looks):
+            self.watch.look()
 
 
-@pytest.fixture
-def watched():
-    return Watched()
-
-
-def test_the_innermost_function_that_has_not_returned_meanwhile_is_named_until_it_does(
-    watched, monkeypatch
-):
+def test_the_innermost_function_that_has_not_returned_meanwhile_is_named_until_it_does(monkeypatch):
+    """It is stopped after a save: again and again, as a bare except can catch the end."""
+    watched = Watched(monkeypatch)
     outer = frame("outer")
     stays = frame("stays")
-    watched.done += 1
-    for number in range(LOOKS + 1):
-        frames = [frame("returns"), stays, outer] if number % 2 else [stays, outer]
-        monkeypatch.setattr(endless, "running", lambda thread, frames=frames: frames)
-        assert watched.told == []
-        watched.watch.look()
-    watched.watch.look()
-    [message] = watched.told
-    assert message.startswith("stays in src/stays.py, line 7, has been running for 3 s")
-    watched.done += 1
-    watched.watch.look()
-    assert watched.told == [message, ""]
+    watched.does(frame("returns"), stays, outer)
+    watched.frames = [stays, outer]
+    watched.stands(LOOKS - 1)
+    assert watched.told == watched.stopped == []
+    watched.stands(3)
+    assert watched.told == [
+        "src/swinging.py, line 5: the program has been here for 3 s. If a loop never ends here, "
+        "mend it, and save the file."
+    ]
+    assert len(watched.stopped) == 2
+    watched.does(outer)
+    watched.stands(1)
+    assert watched.told[1:] == [""]
+    assert len(watched.stopped) == 2
 
 
-def test_the_page_names_the_function_that_does_not_return_until_it_does(rig, monkeypatch):
-    """The one with the loop, not one that it calls again and again."""
-    told = []
-    watch = endless.Watch(rig.viewer.progress, told.append)
-
-    def sleep(seconds):
-        rig.now += seconds
-
-    def does_not_return(*arguments):
-        rig.tabs.are_gone = True
-        for _ in range(LOOKS + 1):
-            if not told:
-                watch.look()
-
-    monkeypatch.setattr(rig.viewer.pace, "sleep", sleep)
-    monkeypatch.setattr(visualize_cradle_run, "full_swing_update", does_not_return)
-    rig.viewer.next_cradle.want()
-    run(visualize_cradle_run.main, rig.viewer)
-    [message] = told
-    assert re.fullmatch(
-        r"newton_cradle_tick in src/visualize_cradle_run\.py, line \d+,"
-        r" has been running for 3 s and has not returned\. If a loop in it never ends, press"
-        r" Ctrl\+C in the terminal, and mend it\.",
-        message,
-    )
+def test_a_loop_at_the_beginning_of_a_run_is_named(monkeypatch):
+    watched = Watched(monkeypatch)
+    watched.does()  # the run begins, in no function of src/
+    watched.stands(2)
+    watched.frames = [frame("loops")]
+    watched.stands(1 + LOOKS)
+    assert len(watched.told) == 1

@@ -66,30 +66,21 @@ LINES = "name, theta, phi, mass, e, hidden, question, why, or an answer after - 
 FOUR = "- a = 0 0 0 0 0\n- b = 1 0 0 0 0\n- c = 2 0 0 0 0\n- d = 3 0 0 0 0\n"
 BAD = [  # an old and a new text; the beginning of the message after the name of the file; a part
     ("theta = -45", "theta = -180.5", ", theta: found '-180.5 -45 0 0 0', ", ANGLE),
-    ("theta = -45", "theta = 180.5", ", theta: found '180.5 -45 0 0 0', ", ANGLE),
     ("name = Two bobs\n", "", ", name: found nothing, ", "a text"),
     ("name = Two bobs", "name = My cradle", ", name: found 'My cradle', ", "text"),
-    ("* Two", "- Two", ", answers: found 2 answers, 0 of them with an asterisk", "2 to 5, one"),
-    ("- One=1 = 0 0 0 0 100\n", "", ", answers: found 1 answers, 1 of", "2 to 5, one"),
     ("- One", "* One", ", answers: found 2 answers, 2 of them with an asterisk", "one of them"),
     ("- One", f"{FOUR}- One", ", answers: found 6 answers, 1 of them", "2 to 5"),
     ("0 0 0 45 45", "45 45", ", * Two: found '45 45', ", ANGLE),
     ("{speed_5}", "{speed_6}", ", why: found {speed_6}, ", "the number of a bob, 1 to 5"),
-    ("{speed_5}", "{speed_0}", ", why: found {speed_0}, ", "{energy}"),
     ("{speed_5}", "{speed_5", ", why: found {, ", "in braces"),
     ("question", "phi = 0 0 0 0 0\nquestion", ", phi: is allowed only for", "double"),
-    ("question", "e = 1 1 1 1\nquestion", ", e: found '1 1 1 1', ", "from 0 to 1"),
     ("question", "e = 1 1 1 1 1.1\nquestion", ", e: found '1 1 1 1 1.1', ", "from 0 to 1"),
     ("question", "seconds = 0.5\nquestion", ", line 3: found 'seconds = 0.5', ", LINES),
     ("question", "hidden = mass 6\nquestion", ", hidden: found 'mass 6', ", "1 to 5, or e"),
     ("question", "e = 1 1 1 1 0\nhidden = e\nquestion", ", hidden: found 'e', ", "e, if all have"),
     ("question", "e = 0 0 0 0 0\nhidden = e\nquestion", ", hidden: found 'e', ", "one above 0"),
     ("question", "hidden = e\nquestion", ", hidden: found answers, which are", "not allowed"),
-    ("question", "theta = 0 0 0 0 0\nquestion", ", line 3: found 'theta = 0 0 0 0 0', ", LINES),
-    ("- One=1 = 0", "- = 0", ", line 7: found '- = 0 0 0 0 100', ", LINES),
-    ("* Two =", "* Two", ", line 8: found '* Two 0 0 0 45 45', ", LINES),
     ("leaves", "l\xe9aves", ", line 3: found byte 0xe9, ", "UTF-8"),
-    ("-45 -45", "0 " * 1000, f", theta: found '{'0 ' * 149}0..., ", "1000 pendula"),
 ]
 
 

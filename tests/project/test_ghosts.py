@@ -24,18 +24,14 @@ KEYS = DoubleCradle.angle_keys
     ("text", "time", "poses"),
     [
         ("t,theta_1\n0,1\n2,3\n", 2.1, {}),
-        ("t,theta_1\n1,1\n2,3\n", 0.9, {}),
         ("\ufeff# film; Tracker\n#\n\nt,theta_2,x,theta_1\r\n0,2,red,1\r\n", 0, {0: [1], 1: [2]}),
         ('"x;y"\t"theta_2"\t"t"\n7\t-0,5\t-1\n\n1,5\t5E-1\t1,00\n', 0, {1: [0]}),
         ("omega_1;t;theta_1 (degrees)\n;0;90\n;1,5;\n;2;NaN\n;3;-90\n;4\n", 2, {0: [-30 / RAD]}),
         ("start,0.5,-41.5,,\nt,theta_1\n0.5,1\n1.5,2\n", 0.5, {0: [1.5]}),
-        ("t,theta_1\n0,3\n1,-3\n", 0.5, {0: [180 / RAD]}),  # over the top
+        ("Time (s),theta_1(rad)\n0,3\n1,-3\n", 0.5, {0: [180 / RAD]}),  # over the top
         ("t,phi_1,theta_1,phi_2\n0,-1,3,1\n", 0, {0: [3, 2]}),  # of cord 2, only half is known
         ("t,theta_1,theta_3\n0,,1\n", 0, {}),  # bob 1 was never found, and there is no bob 3
         ("mass A\nstart,0.5,-9\nt (s)\ttheta_1 (°)\n0,5\t90\n", 0, {0: [90 / RAD]}),
-        ('# t, in s\nstart;0;-9\n# t ;"Theta_1 [deg]"\n0;-90\n', 0, {0: [-90 / RAD]}),
-        ("theta_1 / degrees\t T\r90\t0\r", 0, {0: [90 / RAD]}),
-        ("\ufeffTime (s),theta_1(rad)\n0,1\n", 0, {0: [1]}),
     ],
 )
 def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
@@ -47,17 +43,14 @@ def test_a_file_has_angles_at_times_and_between_them(text, time, poses):
     ("text", "message"),
     [
         ("#\nt,theta\n0,1\n", ": names no columns, allowed is a line with t, and theta_1 (rad), "),
-        ("theta_1,x\n", ": names no columns, allowed is a line with t, and theta_1 (rad), "),
         ("t,theta_1,theta_01\n0,,1\n", ": found no angle, allowed is at least one"),
         (
             "theta_1;t\n\n1;0,1\n1;0,1\n",
             ", line 4, column t: found '0.1', allowed is a time (s), after ",
         ),
-        ("t,theta_1\n,1\n", ", line 2, column t: found nothing, allowed is a time (s)"),
         ("t,theta_1\n0,red\n", ", line 2, column theta_1: found 'red', allowed is a number, or "),
         ("t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
         ("\nstart;1\nt;theta_1\n", ", line 2, after start: found '1', allowed is the time (s) of"),
-        ("start,1,0.5\nt,theta_1\n", ", line 1, after start: found '1, 0.5', allowed is "),
         (
             "t" * LARGEST_FILE + ",",
             ": cannot be read: it has more than 10 MB",

@@ -10,7 +10,7 @@ from textwrap import dedent
 import pytest
 from programs import python, ROOT, SECONDS
 from right_solutions import PLAIN
-from students import change, COLUMNS, PYTEST, pytest_in, write
+from students import change, COLUMNS, PYTEST, pytest_in, write, write_tiers
 
 from grading.grader import checks
 from grading.handout import FUNCTIONS, SUITES
@@ -65,6 +65,31 @@ def test_a_mistake_is_told_once_on_a_screen(starter):
     assert "All bobs are lifted. make_pendulum must get the theta of each pendulum" in text
     assert text.count("All bobs are lifted") == 1
     assert "Note: your CSV has a mistake. newton_cradle_pends.csv, line 3, column color:" in text
+
+
+def test_a_program_with_rate_that_writes_its_csv_has_all_points_and_leaves_your_files(starter):
+    """It also reads a CSV by a path of its own, as when it is started in this folder.
+
+    A test of the student's has imported write_to_csv before.
+    """
+    write_tiers(starter, "DCBA")
+    (starter / "conftest.py").write_text("import src.pds_helper\n")
+    program = starter / "src/visualize_cradle_run.py"
+    change(program, "import mag", "import mag, rate")
+    change(program, "while is_running(pend_list):", "while True:\n        rate(1 / DT)")
+    writes = """    from src.pds_helper import write_to_csv
+    from src.special_cradles import uniform_mass_newton_cradle
+    write_to_csv(uniform_mass_newton_cradle(NC_FP, 3))
+    write_to_csv(uniform_mass_newton_cradle('mine.csv', 3), 'mine.csv')
+"""
+    change(program, "    pend_list = ", f"{writes}    pend_list = ")
+    change(program, "cradle(NC_FP, R_PARAM", "cradle('mine.csv', R_PARAM")
+    files = [starter / "newton_cradle_pends.csv", starter / "mine.csv"]
+    before = files[0].read_bytes()
+    files[1].write_bytes(before)
+    status, rows = pytest_in(starter, "--tier", "A")
+    assert (status, rows[-3]) == (0, "Tier A is complete.")
+    assert [file.read_bytes() for file in files] == [before, before]
 
 
 def test_what_has_no_room_is_left_out_by_its_rank():

@@ -48,7 +48,6 @@ def test_the_time_axis_is_full_and_follows_the_swing(csv, monkeypatch, factor):
     [
         (MOMENTA, "t (s)", "momentum (kg m/s)", {"1": RED, "2": CYAN, "sum": BLACK}),
         (ANGLES, "t (s)", "theta (degrees)", {"1": RED, "2": CYAN}),
-        ("Velocities omega", "t (s)", "omega (degrees/s)", {"1": RED, "2": CYAN}),
         ("Phase 2", "theta (degrees)", "omega (degrees/s)", {"": CYAN}),
     ],
 )
@@ -69,7 +68,6 @@ def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
     moments = {
         MOMENTA: [time, *momenta, sum(momenta)],  # of bobs of 1 kg, to the right
         ANGLES: [time, *map(degrees, thetas)],
-        "Velocities omega": [time, *map(degrees, omegas)],
         "Phase 2": [degrees(thetas[1]), degrees(omegas[1])],
     }
     assert graph["rows"][-1] == pytest.approx(moments[choice], abs=1e-6)

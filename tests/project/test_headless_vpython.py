@@ -30,16 +30,11 @@ s.pos = c.axis = v; v.x = 9; [s.pos, c.axis, c.length]
 p = s.pos; s.pos = v; p.y = 4; [p, s.pos, sphere(pos=p, texture=textures.metal, charge=3).charge]
 s.rotate(angle=0.3, axis=v, origin=w); c.rotate(angle=0.3, axis=vector(0, 0, 1)); [s.pos, c.axis]
 vector(1, 2)
-vector(None, 0, 0)
 v * v
-v + 1
 sphere(pos=(1, 2, 3))
-s.pos = (1, 2); s
 sphere(1)
 b.radius
-s.radus
 color.pink
-lable
 from vpython import lable; v
 """.strip().splitlines()
 

@@ -16,23 +16,10 @@ def test_the_contracts_of_imports_in_pyproject_hold():
     assert done.returncode == 0, done.stdout
 
 
-def python_files(*folders):
-    """Return the Python files below these folders of the project."""
-    files = []
-    for folder in folders:
-        files += (ROOT / folder).rglob("*.py")
-    return files
-
-
 def test_the_contracts_look_at_each_folder_of_modules():
     """A folder without __init__.py is looked at only if it is named."""
-    folders = {file.parent.relative_to(ROOT) for file in python_files("src", "support")}
+    files = [*(ROOT / "src").rglob("*.py"), *(ROOT / "support").rglob("*.py")]
+    folders = {file.parent.relative_to(ROOT) for file in files}
     options = read_configuration(str(ROOT / "pyproject.toml"))["session_options"]
     packages = {".".join(folder.parts) for folder in folders} | {"grading", "line_by_line"}
     assert packages == {*options["root_packages"]}
-
-
-def test_only_a_start_as_a_program_changes_the_path():
-    files = python_files("src", "support", "tests/grading", "tests/line_by_line")
-    changing = [file for file in files if "\nsys.path" in file.read_text(encoding="utf-8")]
-    assert changing == [ROOT / "src" / "begin.py", ROOT / "tests" / "grading" / "begin.py"]

@@ -21,11 +21,6 @@ def visible(rig, name):
     return [shape for shape in rig.viewer.marks.shapes.get(name, []) if shape.visible]
 
 
-def lowest(rig):
-    """Return the height (m) of the lowest point that each camera shows."""
-    return min(y for _, y, _ in rig.state["view"]["points"])
-
-
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(csv, kind):
     """Also for a later cradle."""
@@ -194,6 +189,17 @@ def test_a_step_goes_on_to_the_next_of_the_slow_hits(rig):
     rig.mouse("grab", rig.cradle.bobs()[4].pos)
     rig.mouse("drag", rig.cradle.axles()[4].pos + vector(1, 0, 0))
     assert rig.state["hit"] is None
+
+
+def test_slow_hits_say_why_they_are_empty(csv, write):
+    """A tick can do without the function that lets two bobs collide."""
+    write("make_newton_cradle", "newton_cradle_tick = full_swing_update")
+    rig = Rig(csv)
+    rig.wait(0.1)
+    assert rig.state["remark"] == ""
+    rig.give("slow_hits", True)
+    why = "The tick does not call handle_two_bobs: there are no hits to show."
+    assert rig.state["remark"] == why
 
 
 # --- dragging --------------------------------------------------------------------------------

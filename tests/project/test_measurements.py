@@ -2,12 +2,12 @@
 
 import re
 from itertools import combinations, pairwise
-from math import acos, copysign, cos, degrees, floor, pi, sqrt
+from math import acos, copysign, cos, degrees, sqrt
 
 import pytest
 from programs import copy_project, OF_TESTS, python, slow_except
 from students import put_files
-from whole_cradles import go_on, make_live, PERIOD, Swing
+from whole_cradles import PERIOD, Swing
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
@@ -22,10 +22,7 @@ TICK = Cradle.dt / PERIOD  # in small swings
 
 def measured(experiment, kind):
     """Measure this experiment."""
-    player = Swing(make_live(kind), settings_of(experiment), 1e9)
-    go_on(player)
-    player.cradle.pose(experiment.poses)
-    player.motion.restart()
+    player = Swing(kind(), settings_of(experiment))
     measurement = Measurement(experiment, player.motion)
     while not measurement.is_over:
         player.swing(max(1, round(PERIOD / 1000 / kind.dt)))
@@ -118,16 +115,6 @@ def test_an_experiment_is_right_with_any_cord_gravity_and_tick(world, tmp_path):
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize(("n", "hits"), [(2, 3), (3, 4), (10, 7)])
-def test_masses_n_1_n_hit_as_often_as_billiards_count_pi(n, hits, tmp_path):
-    """Galperin 2003: the whole part of pi / arccos(n / (n + 1))."""
-    assert hits == floor(pi / acos(n / (n + 1)))
-    text = (EXPERIMENTS / "single" / "15_count_the_hits.txt").read_text()
-    file = tmp_path / "n.txt"
-    file.write_text(text.replace("mass = 3 1 3", f"mass = {n} 1 {n}"))
-    assert measured(read_experiment(file, 1), Cradle).hit_count == hits
-
-
 SHORT = """\
 name = Short
 theta = {}
@@ -143,17 +130,16 @@ why = They stop.
 def short(tmp_path):
     """A function that measures a short experiment with these release angles (degrees)."""
 
-    def measure(theta):
-        folder = put_files(tmp_path, {"short.txt": SHORT.format(theta)})
+    def measure(theta, text=SHORT):
+        folder = put_files(tmp_path, {"short.txt": text.format(theta)})
         return measured(read_experiment(folder / "short.txt", 1), Cradle)
 
     return measure
 
 
-def test_an_experiment_that_expects_something_else_says_so(tmp_path):
-    text = SHORT.format("-45 45").replace("* All", "- All", 1).replace("- All go", "* All go")
-    folder = put_files(tmp_path, {"short.txt": text})
-    found = measured(read_experiment(folder / "short.txt", 1), Cradle)
+def test_an_experiment_that_expects_something_else_says_so(short):
+    text = SHORT.replace("* All", "- All").replace("- All go", "* All go")
+    found = short("-45 45", text)
     words = (
         r"After the hits, the bobs swung to -?0, -?0 degrees. The experiment expects: All go on."
     )

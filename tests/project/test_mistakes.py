@@ -2,20 +2,13 @@
 
 import csv
 import re
-import runpy
-import sys
-from importlib import import_module
 from pathlib import Path
-from types import SimpleNamespace
-from unittest.mock import Mock, patch
 
 import pytest
-from programs import call, copy_project, end, first_lines, ROOT, running
+from programs import copy_project, end, first_lines, python, running
 from students import change
 from whole_cradles import FIVE_CSV
 
-from support.constants import DT, G, R_PARAM, THETA_INIT
-from support.cradle.motion import Motion
 from support.start import mistake
 from support.start.end import SignalError
 
@@ -24,63 +17,49 @@ VISUALIZE_FILE = Path("src/visualize_cradle_run.py")
 SPECIAL = Path("src/special_cradles.py")
 SWING = "    full_swing_update(pend_list, r_param, dt, g)\n"
 OMEGA = "    omega_new = omega -"
-COLOR = 'COLOR_MAP[pend_dict["color"]]'
-CSV = "newton_cradle_pends.csv"
 LOSSY = FIVE_CSV.replace("1.0,1.0", "1.0,0.9")  # the two rules differ
-PAGE = [VISUALIZE_FILE]
 PLAYED = ["src/text_cradle_run.py", "--seconds", "1"]
 RECORDED = [*PLAYED[:2], "0.3", "--record", "data.csv", "--every", "0.05"]
 
 
 @pytest.fixture
 def project(tmp_path, monkeypatch):
-    """The current folder: a copy of the project. Imports find the functions of its src/."""
+    """The current folder: a copy of the project."""
     monkeypatch.chdir(copy_project(tmp_path, LOSSY))
-    monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.syspath_prepend(str(tmp_path / "src"))
-    monkeypatch.setattr(mistake, "ROOT", tmp_path.resolve())
-    monkeypatch.setattr(mistake, "SRC", tmp_path.resolve() / "src")
-    for name in [name for name in sys.modules if name.partition(".")[0] == "src"]:
-        monkeypatch.delitem(sys.modules, name)
-    for name in ("begin", "begin_page"):
-        monkeypatch.setitem(sys.modules, name, Mock())
-    monkeypatch.setattr("signal.signal", lambda *_: None)
-    tabs = Mock(have_room=bool, are_gone=False)
-    server = SimpleNamespace(tabs=tabs, close=lambda *_: None)
-    monkeypatch.setattr("support.page.show_cradle.open_page", lambda *_: server)
     return tmp_path
 
 
-def start(program, *options):
-    """Run a program of the project with these options in this process."""
-    with patch.object(sys, "argv", [str(program), CSV, *options]):
-        runpy.run_path(program, run_name="__main__")
+# The functions of a project in a loop without our programs, but with their rule.
+PLAIN = """
+import support.headless_vpython
+from math import cos
+from src import visualize_cradle_run as program
+from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
+
+collide = program.handle_two_bobs
+
+def collide_if_they_approach(left, right, r_param):
+    if left["omega"] * cos(left["theta"]) > right["omega"] * cos(right["theta"]):
+        collide(left, right, r_param)
+
+program.handle_two_bobs = collide_if_they_approach
+pend_list = program.make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
+for _ in range(7):
+    print([float(pend[key]) for key in ("theta", "omega") for pend in pend_list])
+    for _ in range(round(0.05 / DT)):
+        program.newton_cradle_tick(pend_list, R_PARAM, DT, G)
+"""
 
 
-CHANGES = {  # a file, an old and a new text
-    "nothing": (VISUALIZE_FILE, SWING, SWING),
-    "air resistance in the tick": (
-        VISUALIZE_FILE,
-        SWING,
-        SWING + "    for pend in pend_list:\n        pend['omega'] *= 0.9999\n",
-    ),
-    "a wind": (SWINGING, "* dt\n    theta_new", "* dt + 0.001\n    theta_new"),
-}
-
-
-@pytest.mark.parametrize("name", CHANGES)
-def test_recorded_data_are_those_of_a_plain_loop_to_the_last_bit(project, name):
-    change(*CHANGES[name])
-    start(*RECORDED)
-    functions = import_module("src.visualize_cradle_run")
-    pend_list = functions.make_newton_cradle(CSV, R_PARAM, THETA_INIT)
-    _, *rows = csv.reader((project / "data.csv").read_text().splitlines())
-    assert len(rows) == 7
-    for row in rows:
-        recorded = [*map(float, row[1:11])]
-        assert recorded == [pend[key] for key in ("theta", "omega") for pend in pend_list]
-        for _ in range(round(0.05 / DT)):
-            functions.newton_cradle_tick(pend_list, R_PARAM, DT, G, approaching_only=True)
+@pytest.mark.parametrize("drag", ["", "    for pend in pend_list: pend['omega'] *= 0.9999\n"])
+def test_recorded_data_are_those_of_a_plain_loop_to_the_last_bit(project, drag):
+    """Also with air resistance in the tick."""
+    change(VISUALIZE_FILE, SWING, SWING + drag)
+    recorded = python(*RECORDED, folder=project)
+    assert recorded.stderr == ""
+    _, *rows = csv.reader(Path("data.csv").read_text().splitlines())
+    found = "".join(f"{[*map(float, row[1:11])]}\n" for row in rows)
+    assert python("-c", PLAIN, folder=project).stdout == found
 
 
 # A change, and the end of stderr: the student's function, a part of the line, and the error
@@ -92,14 +71,6 @@ MISTAKES = {
         "angle_update",
         "omegaa if",
         "NameError:",
-    ),
-    "no color": (
-        SPECIAL,
-        COLOR,
-        'pend_dict["color"]',
-        "make_newton_cradle",
-        "pend_dict",
-        "AttributeError:",
     ),
     "no file": (
         SWINGING,
@@ -120,10 +91,10 @@ MISTAKES = {
     "exit": (
         VISUALIZE_FILE,
         SWING,
-        "    exit()\n" + SWING,
+        "    exit(3)\n" + SWING,
         "newton_cradle_tick",
-        "exit()",
-        "SystemExit",
+        "exit(3)",
+        "SystemExit: 3",
     ),
 }
 
@@ -140,41 +111,51 @@ def check_end(status, stderr, name):
     assert "support" not in stderr
 
 
-@pytest.mark.parametrize(
-    ("name", "program"),
-    [*[(name, PLAYED) for name in MISTAKES], ("late", PAGE), ("no file", RECORDED)],
-)
-def test_a_mistake_ends_a_program_with_the_students_line_last(project, capsys, name, program):
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_mistake_ends_a_program_with_the_students_line_last(project, name):
     change(*MISTAKES[name][:3])
-    status, _, stderr = call(lambda: start(*program), capsys)
-    check_end(status, stderr, name)
+    done = python(*RECORDED, folder=project)
+    check_end(done.returncode, done.stderr, name)
 
 
-def test_a_mistake_of_the_project_is_reported_in_full(project, capsys, monkeypatch):
-    monkeypatch.setattr(Motion, "time", lambda self: 1 / 0)
-    status, _, report = call(lambda: start(*PLAYED), capsys)
-    assert status == 1
-    assert "players.py" in report
-    assert "ZeroDivisionError" in report
+def test_a_mistake_of_the_program_as_a_whole_has_no_line_of_ours(project):
+    change(VISUALIZE_FILE, SWING, f"    exit()\n{SWING}")
+    done = python(*PLAYED, folder=project)
+    assert done.returncode == 1
+    assert done.stderr.startswith("The program has ended, but the simulation goes on. ")
+    assert done.stderr.count("\n") == 1
 
 
-def test_a_mistake_ends_the_process_of_the_browser_program_and_its_page_says_so(page, project):
+def test_a_mistake_of_the_project_is_reported_in_full(project):
+    change(Path("support/cradle/motion.py"), "round(self", "round(1 / 0 * self")
+    done = python(*PLAYED, folder=project)
+    assert done.returncode == 1
+    assert "players.py" in done.stderr
+    assert "ZeroDivisionError" in done.stderr
+
+
+def test_a_page_shows_a_mistake_with_its_line_and_its_program_ends_with_the_page(page, project):
     change(*MISTAKES["late"][:3])
     with running(project / VISUALIZE_FILE) as process:
         page.goto(first_lines(process))
+        line = "src/swinging.py, line 15: omegaa if theta > 0.1 else 0"
+        words = f"NameError: name 'omegaa' is not defined ({line}) Mend it, and save the file."
+        page.get_by_text(words).wait_for()
+        page.close()
         status, _, stderr = end(process)
     check_end(status, stderr, "late")
-    page.get_by_text("To start it again, type this command").wait_for()
-    words = page.locator(".notice").inner_text()
-    assert words.startswith("NameError: name 'omegaa'")  # the mistake, then what to do
-    assert re.search(r"\)\s+The program has ended\. To start it again, .*\n\s*\S+python", words)
-    assert page.locator(".canvas").evaluate("canvas => canvas.inert")
 
 
-def test_of_ctrl_c_nothing_is_said_where_nothing_hung(capsys):
+def test_a_file_that_python_cannot_read_is_reported_with_its_own_place(tmp_path, capsys):
+    file = tmp_path / "swinging.py"
+    file.write_text("\nx = sin(")
+    with pytest.raises(SyntaxError) as caught:
+        compile(file.read_text(), file, "exec")
+    message = mistake.report_mistake(caught.value)
+    assert message == "SyntaxError: '(' was never closed (swinging.py, line 2: x = sin()"
+    assert capsys.readouterr().err.splitlines()[0].endswith('swinging.py", line 2')
+
+
+def test_of_ctrl_c_outside_of_the_students_functions_nothing_is_said(capsys):
     mistake.report_endless_loop(SignalError(0))  # in no function of the handout
-    with pytest.raises(ZeroDivisionError) as caught:
-        exec(compile("1 / 0", ROOT / "src" / "no_file.py", "exec"))
-    caught.value.is_late = False
-    mistake.report_endless_loop(caught.value)
     assert capsys.readouterr().err == ""

@@ -1,7 +1,6 @@
 """The names that the page and the program share, and the modules of the page."""
 
 import re
-from graphlib import TopologicalSorter
 
 import pytest
 
@@ -53,14 +52,3 @@ def test_each_control_that_the_page_knows_is_declared_and_each_has_its_place(rig
     assert known <= {*controls}
     places = {control["place"] for name, control in controls.items() if name != "experiment"}
     assert places == in_the_page("place")
-
-
-def imports(text):
-    """Return the names of the modules that a script imports."""
-    return re.findall(r'^import (?:.* from )?"(\w+)";$', text, re.MULTILINE)
-
-
-def test_imports_between_the_modules_have_no_circle():
-    modules = {name: imports(text) for name, text in SCRIPTS.items()}
-    assert modules["canvas"]
-    assert "names" in TopologicalSorter(modules).static_order()  # it raises CycleError

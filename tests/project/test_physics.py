@@ -10,7 +10,6 @@ from programs import slow_except
 from scipy.special import ellipk
 from whole_cradles import advance, energy, hits_in, make_row
 
-from src.visualize_cradle_run import handle_two_bobs
 from support.constants import DT, G, R_PARAM, THETA_INIT
 
 
@@ -30,27 +29,6 @@ def test_the_period_of_one_pendulum_over_twenty_swings(amplitude):
             crossings.append((sample + before / (before - after)) * SAMPLE)
     assert len(crossings) == 21
     assert (crossings[-1] - crossings[0]) / 20 == pytest.approx(expected, rel=0.0005)
-
-
-@pytest.mark.parametrize(
-    ("theta", "omega1", "omega2", "collide"),
-    [
-        (0.0, 1.0, 0.0, True),
-        (0.0, 0.0, -1.0, True),
-        (0.0, 0.0, 1.0, False),
-        (2.5, 1.0, 0.0, False),  # above the axle, a bob with positive omega moves to the left ...
-        (2.5, 0.0, 1.0, True),
-    ],
-)
-def test_only_approaching_bobs_collide(theta, omega1, omega2, collide):
-    """With the programs' rule; without it, handle_two_bobs follows the handout (test_b.py)."""
-    pair = make_row(2)
-    for pend, omega in zip(pair, (omega1, omega2), strict=True):
-        pend.update(theta=theta, omega=omega)
-        pend["objects"][1].radius *= 1.01  # side by side at one angle, they touch
-    handle_two_bobs(*pair, R_PARAM, approaching_only=True)
-    expected = [omega2, omega1] if collide else [omega1, omega2]
-    assert [pend["omega"] for pend in pair] == pytest.approx(expected)
 
 
 @pytest.mark.parametrize("e", slow_except([0.9], [0.99, 0.9, 0.5, 0.1]))

@@ -1,19 +1,19 @@
-"""The player: its frames in step with the clock, and a main that is no loop of ticks."""
+"""The player: its frames in step with the clock, and the programs that it runs."""
 
 import re
 import signal
-from contextlib import suppress
-from types import SimpleNamespace
-from unittest.mock import patch
 
 import pytest
-from whole_cradles import make_live, settings_for
+from programs import call
+from whole_cradles import settings_for
 
-from src import visualize_cradle_run
-from support.constants import DT
+from src.special_cradles import make_newton_cradle
+from support import constants
+from support.constants import DT, R_PARAM, THETA_INIT
+from support.cradle.cradle import Cradle
 from support.cradle.player import Player, run
-from support.cradle.real_time import FRAME, MAX_BEHIND, RealTime
-from support.start.end import ended_quietly, SignalError
+from support.cradle.real_time import BUSY, FRAME, MAX_BEHIND, RealTime
+from support.start.end import ended_quietly
 from support.start.mistake import MistakeError
 
 # --- the pace -----------------------------------------------------------------------------------
@@ -27,21 +27,19 @@ class Timed(Player):
 
     def __init__(self, csv, until, tick=0.0, call=0.0, speed=1.0, hiccup=0.0):
         """A tick costs `tick`, a call of the fast path `call`; hiccup delays frame 60 (s)."""
-        cradle = make_live()
-        super().__init__(cradle, settings_for(cradle, csv), 100 * DT)
+        super().__init__(Cradle(), settings_for(csv), 100 * DT)
         self.until, self.tick, self.call, self.hiccup = until, tick, call, hiccup
         self.now = self.slept = 0.0
         self.frames = 0
         self.pace = RealTime(DT, lambda: self.now, self.sleep)
         self.pace.speed = speed
-        self.cradle.many_ticks = SimpleNamespace(many_ticks=self.do_call) if call else None
+        self.begin()
+        self.pend_list = make_newton_cradle(csv, R_PARAM, THETA_INIT)
 
-    def do_tick(self, *_, **__):
-        self.now += self.tick
-
-    def do_call(self, scope, pend_list, ticks, rule):
-        self.now += self.call + ticks * self.tick
-        return []
+    def do_at_once(self, ticks):
+        if self.call:
+            self.now += self.call + ticks * self.tick
+        return bool(self.call)
 
     def sleep(self, seconds):
         assert seconds >= 0
@@ -59,8 +57,8 @@ class Timed(Player):
     def run(self):
         """Run until the time `until`; return the simulated time (s)."""
         self.is_over = False
-        with patch.object(visualize_cradle_run, "newton_cradle_tick", self.do_tick):
-            run(visualize_cradle_run.main, self)
+        while self.is_running(self.pend_list):
+            self.now += self.tick
         return self.motion.ticks * DT
 
 
@@ -81,9 +79,9 @@ def test_a_slow_machine_shows_slow_motion(csv, tick):
     The threads of the page get time, too.
     """
     timed = Timed(csv, until=10, tick=tick)
-    assert timed.run() == pytest.approx(0.75 * 10 / tick * DT, rel=0.35)
+    assert timed.run() == pytest.approx(BUSY / FRAME * 10 / tick * DT, rel=0.35)
     assert timed.frames == pytest.approx(10 / FRAME, rel=0.2)
-    assert timed.slept > 10 / 6
+    assert timed.slept > 0.6 * 10 * (1 - BUSY / FRAME)
     assert timed.pace.kept_up == pytest.approx(timed.motion.ticks * DT / 10, rel=0.1)
     assert timed.pace.remark() == f"{timed.pace.kept_up:.2g}x real time"
 
@@ -94,7 +92,7 @@ def test_a_tick_or_a_call_longer_than_a_frame_ends_in_no_spiral(csv, tick, call,
     timed = Timed(csv, until=20, tick=tick, call=call)
     timed.run()
     # The threads of the page get time, too
-    assert timed.frames == pytest.approx(20 / (0.1 + FRAME / 4), abs=3)
+    assert timed.frames == pytest.approx(20 / (0.1 + FRAME - BUSY), abs=3)
     assert timed.motion.ticks == pytest.approx(part * timed.frames, rel=0.02)
 
 
@@ -120,80 +118,90 @@ def test_after_a_pause_or_a_change_of_the_speed_slow_motion_is_forgotten(csv):
         assert timed.pace.remark() == ""
 
 
-# --- a main that is no loop of ticks ------------------------------------------------------------
+# --- a program ----------------------------------------------------------------------------------
 
 PROGRAM = """
-def newton_cradle_tick(*_):
-    pass
+from src.special_cradles import make_newton_cradle
+from src.visualize_cradle_run import newton_cradle_tick
+from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
+from support.simulation import is_running
 
-def main(page):
-    def make():
-        return make_newton_cradle(page.csv, R_PARAM, THETA_INIT)
-
-    def tick():
-        newton_cradle_tick(pend_list, R_PARAM, DT, G)
-
-    pend_list = make()
+pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
 """
-SHOWS_NOTHING = """
-    while page.is_running():
-        tick()
-"""
-LEAVES_ITS_LOOP = """
-    page.show(pend_list)
-    while page.is_running():
-        tick()
-        break
-"""
-DOES_NOT_HEAR_THE_ANSWER = """
-    page.show(pend_list)
-    while True:
-        page.is_running()
-        tick()
-"""
-MAKES_IT_AGAIN = """
-    page.show(pend_list)
-    while page.is_running():
-        pend_list = make()
-"""
-SHOWS_IT_AGAIN = """
-    page.show(pend_list)
-    while page.is_running():
-        page.show(pend_list)
+LOOP = """
+while is_running(pend_list):
+    newton_cradle_tick(pend_list, R_PARAM, DT, G)
 """
 
 
-@pytest.mark.parametrize(
-    ("rest", "message"),
-    [
-        (SHOWS_NOTHING, "asked page.is_running() before page.show(pend_list)."),
-        ("", "showed no cradle: page.show(pend_list) is missing."),
-        (LEAVES_ITS_LOOP, "ended, but the simulation still runs. Tick while page.is_running() is"),
-        (DOES_NOT_HEAR_THE_ANSWER, "went on after"),
-        (MAKES_IT_AGAIN, "used page.csv after page.show. Make the cradle"),
-        (SHOWS_IT_AGAIN, "called page.show again. Show the cradle once,"),
-    ],
-)
-def test_a_main_that_is_no_loop_of_ticks_is_named_with_its_mistake(csv, rest, message):
-    timed = Timed(csv, until=1)
-    scope = dict(vars(visualize_cradle_run))
-    exec(PROGRAM + rest, scope)
-    with pytest.raises(MistakeError, match=re.escape(f"main {message}")):
-        run(scope["main"], timed)
+class Ticks(Player):
+    """Plays five ticks, and then another cradle, `again` times."""
+
+    def __init__(self, csv, again=0):
+        super().__init__(Cradle(), settings_for(csv), 1.0)
+        self.again = again
+        self.seen = []  # each cradle's thetas at the end
+
+    def frame(self):
+        self.plan(5 - self.motion.ticks)
+        if not self.planned:
+            self.seen.append(self.cradle.values("theta"))
+            self.is_over = len(self.seen) > self.again
+            if not self.is_over:
+                self.next_cradle.want()
+
+
+@pytest.fixture
+def play(tmp_path):
+    """A function that runs PROGRAM with this end; it returns the player."""
+
+    def play(player, end):
+        file = tmp_path / "program.py"
+        file.write_text(PROGRAM + end)
+        run(file, player)
+        return player
+
+    return play
+
+
+def test_a_program_runs_again_from_its_top_for_each_cradle(csv, play, capsys):
+    before = constants.NC_FP
+    player = play(Ticks(csv, again=2), "print(NC_FP)" + LOOP)
+    assert capsys.readouterr().out == f"{csv}\n" * 3
+    assert player.seen[0] == player.seen[1] == player.seen[2]
+    assert before == constants.NC_FP
+
+
+@pytest.mark.parametrize("end", ["", f"{LOOP}    break", "exit()"])
+def test_a_program_that_ends_before_the_simulation_is_told_to_tick_on(csv, play, end):
+    message = "The program has ended, but the simulation goes on. Tick while is_running(pend_list)"
+    with pytest.raises(MistakeError, match=f"^{re.escape(message)}"):
+        play(Ticks(csv), end)
+
+
+def test_a_program_that_exits_with_a_status_ends_with_it(csv, play):
+    with pytest.raises(SystemExit, match="^7$"):
+        play(Ticks(csv), "exit(7)")
+
+
+class Callback:
+    """Gets a signal where Python loses errors."""
+
+    def __del__(self):
+        signal.raise_signal(signal.SIGTERM)
 
 
 class Loses(Timed):
-    """Gets a signal in its first frame, and loses the error, as Python does in a callback."""
+    """Gets a signal in a callback in its first frame."""
 
     def frame(self):
         super().frame()
         if self.frames == 1:
-            with suppress(SignalError):
-                signal.raise_signal(signal.SIGTERM)
+            Callback()
 
 
-def test_a_signal_ends_the_loop_also_if_its_error_is_lost(csv):
+def test_a_signal_ends_the_loop_also_if_python_loses_its_error_without_words(csv, capsys):
     player = Loses(csv, until=1)
-    with pytest.raises(SignalError), ended_quietly():
-        player.run()
+    main = ended_quietly()(player.run)
+    assert call(main, capsys) == (128 + signal.SIGTERM, "", "")
     assert player.frames == 1

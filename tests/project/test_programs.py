@@ -2,24 +2,18 @@
 
 import os
 import re
-import sys
 import textwrap
-from functools import partial
 from math import dist
-from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
 from pages import axle
 from programs import call, copy_project, python, ROOT, with_vpython
 from students import put_files
-from whole_cradles import go_on
 
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
-from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
 from support.constants import R_PARAM
-from support.page.show_cradle import show_cradle, show_double_cradle
 from support.pendulum import outwards_to_angle
 from support.start.end import SignalError
 from support.start.mistake import TYPE_PYTEST
@@ -94,7 +88,9 @@ def test_ctrl_c_at_the_imports_of_a_program_prints_nothing():
 
 
 DRAWN = """
-import begin_page
+import begin
+from support.page.vpython_inside import draw_without_its_page
+draw_without_its_page()
 from vpython import *
 sphere().clone()
 rate(1e-9)
@@ -143,44 +139,9 @@ def test_pds_tester_names_a_mistake(monkeypatch, capsys, error, status, words):
     assert stderr.endswith(words)
 
 
-REMARK = "Write next: <main>."
-
-
-@pytest.fixture
-def start(monkeypatch, csv):
-    """A function that starts a program for three unequal pendula.
-
-    It returns where its server listens, whether it has opened a browser, and the viewer.
-    """
-    csv.write_text(MIXED_CSV)
-    server = Mock()
-    server.listener.getsockname.return_value = ["127.0.0.1"]
-    listen = Mock()
-    module = SimpleNamespace(Server=lambda *_: server)
-    monkeypatch.setitem(sys.modules, "support.page.server.server", module)
-    monkeypatch.setattr("support.page.server.port.listen", listen)
-    run = Mock()
-    monkeypatch.setattr("support.page.show_cradle.run", run)
-    monkeypatch.setattr(
-        "support.page.show_cradle.what_there_is", lambda main, scope: (main, REMARK)
-    )
-
-    def start(show, program, line):
-        monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *line.split()])
-        show(program.main, special_cradles)
-        server.close.assert_called_once()
-        [(_, viewer)] = [call.args for call in run.mock_calls]
-        viewer.next_cradle.want()
-        go_on(viewer)
-        place = listen.call_args.args
-        return SimpleNamespace(place=place, browser=server.browser_start.open.called, viewer=viewer)
-
-    return start
-
-
 def test_a_program_does_as_the_options_say(start):
     line = "--angle 25 --phi=-12.5 --lift 2 --host 0.0.0.0 --port 8000 --no-browser"
-    page = start(show_double_cradle, visualize_double_cradle_run, line)
+    page = start("double", line)
     assert page.place == ("0.0.0.0", 8000)
     assert not page.browser
     state = page.viewer.state()
@@ -196,7 +157,7 @@ def test_a_program_of_single_pendula_has_one_angle_which_ghosts_can_have_too(
 ):
     ghosts = tmp_path / "film.csv"
     ghosts.write_text("start,0.5,-41.5\nt,theta_1\n0,1\n")
-    page = start(show_cradle, visualize_cradle_run, f"{line} --ghosts {ghosts}")
+    page = start("single", f"{line} --ghosts {ghosts}")
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(angle), 0, 0]
     assert page.viewer.ghost_file.ghosts.name == "film.csv"
 
@@ -206,12 +167,10 @@ def test_a_program_of_single_pendula_has_one_angle_which_ghosts_can_have_too(
     [
         ("--lift 4", "--lift: found '4', allowed is at most 3, "),
         ("--ghosts no.csv", "no.csv: cannot be read: "),
-        ("--experiment no.txt", "no.txt: cannot be read: "),
     ],
 )
 def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys, line, message):
-    show = partial(start, show_cradle, visualize_cradle_run, line)
-    status, stdout, stderr = call(show, capsys)
+    status, stdout, stderr = call(lambda: start("single", line), capsys)
     assert (status, stdout, stderr.count("\n")) == (2, "", 1)
     assert stderr.startswith(message)
 

@@ -7,7 +7,7 @@ import pytest
 from rig import Rig
 from students import put_files
 from vpython import vector
-from whole_cradles import GOOD, HEADER
+from whole_cradles import go_on, GOOD, HEADER
 
 from support.page import questions
 from support.page.scene.marks import BEHIND
@@ -15,8 +15,6 @@ from support.page.scene.marks import BEHIND
 CSV = "My cradle"
 TWO = "Two bobs"
 KEY = "2_two_bobs"
-FROM_BOTH_SIDES = "From both sides"
-HEAVY = "A heavy one hits light ones"
 ANSWERS = [
     "One bob, twice as fast",
     "One bob, as far as the two",
@@ -56,16 +54,6 @@ def asking(rig):
     return rig
 
 
-def test_an_experiment_is_as_its_file_says_until_it_is_changed(rig):
-    rig.give("experiment", FROM_BOTH_SIDES)
-    rig.give("edit", 0, "e", "0.5")
-    assert rig.values("e") == [0.5, 1, 1, 1, 1]
-    assert [round(degrees(theta)) for theta in rig.thetas()] == [-45, 0, 0, 0, 45]
-    rig.give("experiment", FROM_BOTH_SIDES)
-    assert rig.values("e") == [1] * 5
-    assert not rig.state["changed"]
-
-
 def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_next(
     csv, tmp_path, monkeypatch
 ):
@@ -78,18 +66,25 @@ def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_n
     assert "one.txt, line 1: found '<s>'" in mistake
 
 
-def test_a_main_that_reads_another_file_does_not_end_the_page(asking, monkeypatch, tmp_path):
+def test_a_program_that_reads_another_file_does_not_end_the_page(asking, write, tmp_path):
     """A frequent mistake: make_newton_cradle forgets its parameter. The page shows that cradle."""
     other = tmp_path / "other.csv"
     other.write_text(HEADER + GOOD * 2)
-    scope = asking.viewer.cradle.scope
-    make = scope["make_newton_cradle"]
-    monkeypatch.setitem(scope, "make_newton_cradle", lambda _, *given: make(other, *given))
+    write("make_newton_cradle", f"pend_list = make_newton_cradle({str(other)!r}, R_PARAM, 0)")
     asking.give("restart")
     asking.give("edit", 1, "mass", "2")
     asking.wait(0.1)
     assert len(asking.thetas()) == 2
     assert question_of(asking) is None
+
+
+def test_you_choose_an_experiment_although_the_program_has_ended(rig):
+    rig.tell("experiment", TWO)
+    rig.tell("restart")
+    rig.viewer.go_on_after(None)
+    go_on(rig.viewer)
+    rig.wait()
+    assert question_of(rig) == ASKING
 
 
 def test_the_question_comes_before_each_release_and_the_explanation_after_it(asking):

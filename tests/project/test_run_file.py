@@ -149,7 +149,8 @@ def test_a_run_that_fails_is_written_up_to_the_mistake_and_names_it(program):
     done, file = write_run(program)
     assert done.returncode == 1
     ended = json.loads(pictures_in(file))[-1]["state"]["ended"]
-    assert re.fullmatch(r"FileNotFoundError: .* \(src/visualize_cradle_run\.py, line \d+\)", ended)
+    place = r"\(src/visualize_cradle_run\.py, line \d+: open\(.*\)"
+    assert re.fullmatch(f"FileNotFoundError: .* {place}", ended)
     assert str(file.parent) not in ended
 
 
@@ -270,8 +271,6 @@ def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(chromium, 
         question.get_by_text("What did you see?").wait_for()
         question.get_by_role("button", name="C\u2002Two bobs").tap()
         question.get_by_text("What happened: C, Two bobs, as far as the two.").wait_for()
-        assert question.get_by_text("You said: A, ").is_visible()
-        assert question.get_by_text("You saw: C.").is_visible()
         page.wait_for_function(IS_OVER)
         page.get_by_role("button", name="Restart").tap()
         question.get_by_role("button", name="B\u2002One bob, as far as the two").tap()

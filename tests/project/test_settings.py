@@ -1,35 +1,22 @@
 """Which cradle the page plays: what its sliders set, and what you choose."""
 
-import sys
-from math import degrees
-from unittest.mock import Mock
+from math import degrees, pi
 
 import pytest
 from rig import Rig
-from whole_cradles import go_on, GOOD, HEADER
+from whole_cradles import GOOD, HEADER
 
-from src import special_cradles, visualize_cradle_run
+from grading.cradles import MIXED_CSV
 from support.cradle.double_cradle import DoubleCradle
 from support.files.experiments import EXPERIMENTS
-from support.page import show_cradle
 from support.page.graph import ENERGY, MOMENTA, NOTHING
 from support.pendulum import outwards_to_angle
 
+MAKE = "make_newton_cradle"
 CSV = "My cradle"
 TWO = "Two bobs"
 FROM_BOTH_SIDES = "From both sides"
 HEAVY = "A heavy one hits light ones"
-
-
-def test_the_box_of_a_fixed_rule_is_fixed(rig, csv, monkeypatch):
-    assert rig.control("separating")["enabled"]
-    assert not rig.state["separating"]
-    monkeypatch.setattr(
-        visualize_cradle_run, "newton_cradle_tick", lambda pend_list, r_param, dt, g: None
-    )
-    fixed = Rig(csv)
-    assert not fixed.control("separating")["enabled"]
-    assert fixed.state["separating"]
 
 
 def test_each_change_of_the_cradle_releases_it_again_and_reset_all_takes_it_back(rig):
@@ -66,15 +53,6 @@ def test_the_slider_of_e_sets_that_of_all_bobs_and_shows_all(rig):
     rig.give("edit", 4, "e", "0.5")
     assert rig.state["e"] == 0.5
     assert rig.control("e")["text"] == "0.35 to 0.5"
-
-
-def test_no_tab_sets_e_before_its_function_is_written(csv, monkeypatch):
-    stubs = {"uniform_e_newton_cradle": None}
-    monkeypatch.setattr("support.cradle.cradle.unwritten_in", lambda module: stubs)
-    rig = Rig(csv)
-    assert not rig.control("e")["enabled"]
-    rig.give("e", 0.5)
-    assert rig.state["e"] == 1
 
 
 def test_the_mass_of_the_first_bob_is_set_as_in_the_table(rig):
@@ -130,8 +108,30 @@ def test_an_experiment_with_another_number_of_bobs_is_changed(rig):
     assert rig.control("count")["max"] == 12  # the file has them
 
 
-def test_a_cradle_of_which_main_lifts_no_bob_says_how_many_the_slider_lifts(csv, monkeypatch):
-    monkeypatch.setattr("whole_cradles.THETA_INIT", 0.0)
+def test_the_programs_own_angle_and_masses_hold_in_each_cradle(csv, write):
+    """An experiment has its angles."""
+    made = "pend_list = make_newton_cradle(NC_FP, R_PARAM, -1.0)"
+    write(MAKE, f"{made}; pend_list[1]['mass'] = 7")
+    rig = Rig(csv, None, lifted=None)
+    rig.give("count", 3)
+    rig.give("e", 0.5)
+    for name, thetas in ((TWO, [-pi / 4] * 2 + [0] * 3), (CSV, [-1, 0, 0])):
+        rig.give("experiment", name)
+        assert rig.thetas() == pytest.approx(thetas)
+        assert rig.values("mass")[:3] == [1, 7, 1]
+        assert rig.state["remark"] == "The program does not take mass from NC_FP."
+
+
+def test_a_slider_that_springs_back_says_why(csv, write):
+    write(MAKE, "pend_list[0]['e'] = 0.5")
+    rig = Rig(csv, None, lifted=None)
+    assert rig.state["remark"] == ""
+    rig.give("e", 1)  # as in the CSV
+    assert rig.state["remark"] == "The program does not take e from NC_FP."
+
+
+def test_a_program_that_lifts_no_bob_says_how_many_the_slider_lifts(csv, write):
+    write(MAKE, "pend_list[0]['theta'] = 0.0")
     rig = Rig(csv, None, lifted=None)
     assert rig.state["lifted"] == 0
     rig.give("release_angle", 30)
@@ -181,7 +181,7 @@ def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
 
 @pytest.mark.parametrize("is_saved", [False, True])
 def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
-    """If the file was saved meanwhile, it comes back without your edits."""
+    """If the file was saved meanwhile, it comes back with its own masses and e."""
     rig.give("edit", 1, "mass", "3")
     rig.give("release_angle", 20)
     rig.give("lifted", 2)
@@ -195,7 +195,7 @@ def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
         rig.give("experiment", CSV)
     assert rig.state["experiment"] == CSV
     assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
-    assert {*rig.values("e")} == {0}
+    assert {*rig.values("e")} == {1 if is_saved else 0}
     assert rig.bob_angles()[:3] == [20, 20, 0]
 
 
@@ -204,36 +204,26 @@ def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
 BUILT_IN = str(EXPERIMENTS / "single" / "2_two_bobs.txt")
 
 
-@pytest.fixture
-def start(monkeypatch, tmp_path):
-    """What starts the program with these words, in tmp_path; it returns the viewer."""
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(show_cradle, "open_page", Mock())
-    monkeypatch.setattr(show_cradle, "run", Mock())
-
-    def start(words):
-        monkeypatch.setattr(sys, "argv", ["", *words.split()])
-        show_cradle.show_cradle(visualize_cradle_run.main, special_cradles)
-        _, viewer = show_cradle.run.call_args[0]
-        viewer.next_cradle.want()
-        go_on(viewer)
-        return viewer
-
-    return start
-
-
 def test_ghosts_of_a_file_leave_an_experiment_as_it_is(start, tmp_path):
     (tmp_path / "film.csv").write_text("start,0,-20\nt,theta_1\n0,1\n")
-    viewer = start(f"--experiment {BUILT_IN} --ghosts film.csv")
+    viewer = start("single", f"--experiment {BUILT_IN} --ghosts film.csv").viewer
     assert viewer.chooser.whole_experiment()
+
+
+@pytest.mark.parametrize(("words", "e"), [("--e 0.25", 0.25), ("--elastic", 1), ("--inelastic", 0)])
+def test_options_for_all_bobs_hold_in_each_saved_file(rig, start, words, e):
+    rig.viewer.chooser.prepare = start("single", f"{words} --mass 2").viewer.chooser.prepare
+    rig.save(MIXED_CSV)
+    assert rig.values("mass") == [2] * 3
+    assert rig.values("e") == [e] * 3
 
 
 def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
     """Without a question, nothing is asked."""
-    names = start("").chooser.names()
+    names = start("single", "").viewer.chooser.names()
     (tmp_path / "two.txt").write_text("name = Two bobs\ntheta = 0 -10")
     for path, count in ((BUILT_IN, 5), ("two.txt", 2)):
-        viewer = start(f"--experiment {path}")
+        viewer = start("single", f"--experiment {path}").viewer
         assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
         assert len(viewer.cradle.pend_list) == count
         assert bool(viewer.questions.asking) == (path == BUILT_IN)

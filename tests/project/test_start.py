@@ -1,4 +1,4 @@
-"""Before and after main: slow modules, signals, and how a program ends."""
+"""Before and after a program: its Python, signals, and how it ends."""
 
 import ast
 import errno
@@ -6,34 +6,12 @@ import os
 import signal
 import subprocess
 import sys
-from importlib import import_module
-from importlib.util import find_spec
 
 import pytest
 from programs import call, on_posix, python, ROOT
 
 from support.start import end
-from support.start.early import import_later, import_now
 from support.start.program import require_python
-
-
-def test_a_slow_module_is_imported_once_when_it_is_used(tmp_path, monkeypatch):
-    (tmp_path / "slow_module.py").write_text("import sys\nsys.slow_imports.append(1)\nvalue = 7\n")
-    monkeypatch.syspath_prepend(tmp_path)
-    monkeypatch.setattr(sys, "slow_imports", imports := [], raising=False)
-    monkeypatch.delitem(sys.modules, "slow_module", raising=False)
-    import_later("slow_module")
-    early = import_module("slow_module")
-    assert find_spec("slow_module").name == "slow_module"  # for the next program in a session
-    assert imports == []
-    assert early.value == early.value == 7
-    assert imports == [1]
-    monkeypatch.delitem(sys.modules, "slow_module")
-    import_later("slow_module")
-    import_now("slow_module")  # for which the page waits while the browser loads
-    assert imports == [1, 1]
-    import_later("no_such_module")
-    assert "no_such_module" not in sys.modules
 
 
 def test_an_older_python_is_named_and_compiles_the_files_that_do_so(monkeypatch):
@@ -106,22 +84,6 @@ with ended_quietly():
 def test_the_second_signal_ends_also_code_that_catches_the_first_one():
     done = subprocess.run([sys.executable, "-c", CATCHES], cwd=ROOT, capture_output=True, text=True)
     assert (done.returncode, done.stdout, done.stderr) == (-signal.SIGTERM, "143\n", "")
-
-
-class Callback:
-    """Gets a signal where Python loses errors."""
-
-    def __del__(self):
-        signal.raise_signal(signal.SIGTERM)
-
-
-def test_a_signal_whose_error_python_loses_is_raised_again_without_words(capsys):
-    @end.ended_quietly()
-    def main():
-        Callback()
-        end.end_if_signalled()
-
-    assert call(main, capsys) == (128 + signal.SIGTERM, "", "")
 
 
 def test_a_signal_that_is_ignored_stays_ignored():

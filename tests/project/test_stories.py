@@ -10,6 +10,7 @@ from wrong_solutions import WRONG
 
 from grading import limits
 from grading.grader import runner
+from grading.handout import PROGRAM
 from grading.outcomes import PASSED
 from grading.students_code import own_functions
 from line_by_line.instrument import watched
@@ -92,15 +93,6 @@ STORIES = {
         "3",
         ["Your function pull, called there: 3 return -g * sin(a) * r_param gives -1.6 <- -10 is"],
     ),
-    "a new cradle in each turn": (
-        "main",
-        (
-            "    newton_",
-            "    pend_list = make_newton_cradle(page.csv, R_PARAM, THETA_INIT); newton_",
-        ),
-        "",
-        ["Line 5 gives pend_list another list than line 2.", "omega after 1 ticks is 0"],
-    ),
     "set twice": (
         "full_swing_update",
         """\
@@ -162,7 +154,16 @@ def test_the_story_says_what_was_seen(solve, monkeypatch, name):
     assert first.place.partition(", line ")[2] == line
 
 
-WATCHED = [(name, way) for name in PLAIN for way in ("plainly", *RIGHT[name])]
+def test_an_error_of_the_program_is_shown_with_the_line_of_its_block(solve):
+    solve(PROGRAM, ("(pend_list, R_PARAM, DT, G)", "(0, pend_list, R_PARAM, DT, G)"))
+    first, screen = story_of(PROGRAM)
+    line = f"{first.place}, in <module> newton_cradle_tick(0, pend_list, R_PARAM, DT, G) expected"
+    assert f"called the program, for 3 ticks {line}" in screen
+    assert first.place.startswith("src/visualize_cradle_run.py, line ")
+
+
+FUNCTIONS = [name for name in PLAIN if name != PROGRAM]
+WATCHED = [(name, way) for name in FUNCTIONS for way in ("plainly", *RIGHT[name])]
 
 
 @pytest.mark.parametrize(("function", "way"), slow_except(WATCHED[::16], WATCHED[::4]))
@@ -268,9 +269,7 @@ row[2] = [odd] * 9
 return odd, row"""
 
 
-@pytest.mark.parametrize(
-    "line", ["if row[1] is odd: pass", "row[1] == 5", "if odd: pass", "odd.x", "def f(a=odd): pass"]
-)
+@pytest.mark.parametrize("line", ["row[1] == 5", "if odd: pass", "odd.x"])
 def test_values_that_say_nothing_of_themselves_change_nothing(solve, line):
     """The table is there, and the failure is that of the student's code."""
     solve("angle_update", ODD.replace("{}", line))

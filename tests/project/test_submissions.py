@@ -61,7 +61,6 @@ PROJECT = {
 }
 MAC = {**below("cradle", PROJECT), **below("__MACOSX/cradle", SOLUTION)}
 TWO_SWINGS = {**renamed("swinging", "my_swinging", SOLUTION), "src/swinging_old.py": "o"}
-LONG_NUMBER = f"a-{'9' * 200}.py"
 # What files ask for is graded, except what belongs to the starter
 ASKS = {
     **SOLUTION,
@@ -101,20 +100,10 @@ FORMS = {
         renamed("src/double_cradle", "src/visualize_double_cradle_run", READ),
         ["src/double_cradle.py is missing"],
     ),
-    "nothing written": (
-        dict.fromkeys(SOLUTION, NOT_WRITTEN),
-        dict.fromkeys(SOLUTION, NOT_WRITTEN),
-        [f"{file} is as in the starter" for file in sorted(SOLUTION)],
-    ),
     "two projects": (
         {**below("new", SOLUTION), "old/src/swinging.py": "old"},
         READ,
         ["took new/src, left old/src"],
-    ),
-    "two versions": (
-        {**below("Version 2", SOLUTION), **below("Version 1", SOLUTION)},
-        READ,
-        ["took Version 2/src, left Version 1/src"],
     ),
     "two candidates": (
         TWO_SWINGS,
@@ -125,11 +114,6 @@ FORMS = {
         {**SOLUTION, **dict.fromkeys(NEWER, "2"), SWINGING: "1", NEWER[1]: SOLUTION[SWINGING]},
         READ,
         [f"took {NEWER[1]} as swinging.py, left src/swinging.py, {NEWER[0]}, {NEWER[2]}"],
-    ),
-    "a long number": (
-        {**SOLUTION, f"src/{LONG_NUMBER}": ""},
-        {**READ, f"src/{LONG_NUMBER}": b""},
-        [],
     ),
     "a long path": (
         {**SOLUTION, f"src/{'a/' * 120}long.py": ""},
@@ -229,15 +213,6 @@ def test_an_encrypted_and_a_damaged_entry_are_named_and_the_rest_is_taken(tmp_pa
     assert damaged.startswith("left out src/swinging.py: ")
 
 
-def test_a_zip_with_too_long_a_list_of_files_is_not_read(tmp_path):
-    data = bytearray(zip_of(SOLUTION))
-    data[-10:-6] = (5_000_001).to_bytes(4, "little")
-    files, problems = read_zip(tmp_path, data)
-    assert files == {}
-    reason = "its list of files has more than 5,000,000 bytes"
-    assert problems[0] == f"a.zip is no .zip that can be read: {reason}"
-
-
 def test_problems_are_few_and_short(tmp_path):
     files = {f"/{'a' * 300}{i}\x1b.py": "" for i in range(99)}
     _, problems = read_zip(tmp_path, zip_of(files))
@@ -280,9 +255,6 @@ CLASS = {
     "Fay F_9_assignsubmission_file_swinging.py": ("Fay F", "swinging.py"),
     "Fay F_9_assignsubmission_onlinetext_/onlinetext.html": ("Fay F", ""),
     "Gus_7_assignsubmission_file/swinging.py": ("Gus", ""),
-    "Lab_1_2_hal_attempt_2026-11-25-13-14-00_swinging.py": ("hal", "swinging.py"),
-    "13-345 - Ida I - Nov 3, 2026 1144 PM/swinging.py": ("Ida I", ""),
-    "13-345 - Ida I - Nov 25, 2026 114 PM/swinging.py": ("Ida I", ""),
     "14-345 - Jo - Nov 25, 2026 114 PM - swinging.py": ("Jo_14", "swinging.py"),
     "14-345 - Jo - Nov 25, 2026 1114 AM - swinging.py": ("Jo_14", "swinging.py"),
     "15-345 - Jo - 25. November 2026 1314 - swinging.py": ("Jo_15", "swinging.py"),
@@ -306,13 +278,9 @@ def test_each_folder_each_archive_and_each_name_of_a_flat_download_is_a_student(
     assert problem.endswith(r", found c\x85d/e\x85f")
     files, _ = read_submission(submissions["li_1"], STARTER)
     assert [*files] == ["src/pds_helper.py", SWINGING]
-    for student, newest in {
-        "Ida I": "13-345 - Ida I - Nov 25",
-        "Jo_14": "14-345 - Jo - Nov 25, 2026 114",
-    }.items():
-        files, problems = read_submission(submissions[student], STARTER)
-        assert files[SWINGING].decode().startswith(newest)
-        assert "took the newest upload of swinging.py" in problems
+    files, problems = read_submission(submissions["Jo_14"], STARTER)
+    assert files[SWINGING].decode().startswith("14-345 - Jo - Nov 25, 2026 114")
+    assert "took the newest upload of swinging.py" in problems
 
 
 @pytest.mark.parametrize("files", [{}, PROJECT, READ], ids=["nothing", "project", "src"])

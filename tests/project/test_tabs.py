@@ -36,10 +36,10 @@ def now(function, *arguments):
 
 @pytest.fixture
 def tabs(monkeypatch):
-    """Tabs; changes has what VPython has changed."""
+    """Tabs; drawing has what VPython has changed."""
     tabs = Tabs(in_server=now)
-    tabs.changes = {}
-    monkeypatch.setattr("support.page.server.tabs.take_changes", lambda: tabs.changes)
+    tabs.drawing = {}
+    monkeypatch.setattr("support.page.server.tabs.take_changes", lambda: tabs.drawing)
     return tabs
 
 
@@ -71,7 +71,7 @@ def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_o
     sent = open_tab(tabs, 1)
     for number in range(100):
         assert tabs.have_room() == (number < most)
-        tabs.changes = {"attrs": [f"a{number % 2}a{number}"]}
+        tabs.drawing = {"attrs": [f"a{number % 2}a{number}"]}
         tabs.show({"t": f"{number:{size}}"})
     assert len(sent) == most
     tabs.show({"ended": ""})

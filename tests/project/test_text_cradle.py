@@ -1,6 +1,5 @@
 """The program in the terminal: its lines in step with the clock, its data, and its end."""
 
-import re
 import sys
 from contextlib import nullcontext
 from io import StringIO
@@ -12,19 +11,16 @@ from unittest.mock import Mock
 import pandas as pd
 import pytest
 from programs import call
-from whole_cradles import make_live, settings_for
+from whole_cradles import PROGRAMS, settings_for
 
 from src import text_cradle_run
-from src.visualize_cradle_run import main as cradle_main
 from support.constants import DT, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import RealTime
 from support.pendulum import outwards_to_angle
-from support.start import output
+from support.start import mistake, output
 from support.start.end import SignalError
 from support.terminal import players
-
-REMARK = "Write next: main."
 
 
 @pytest.fixture
@@ -38,16 +34,29 @@ def main(monkeypatch, capsys):
     return main
 
 
+@pytest.fixture
+def write_program(tmp_path, monkeypatch):
+    """A function that writes a program in place of ours."""
+
+    def write_program(text):
+        file = tmp_path / "program.py"
+        file.write_text(text)
+        monkeypatch.setattr(text_cradle_run, "PROGRAM", file)
+        monkeypatch.setattr(mistake, "SRC", tmp_path)
+
+    return write_program
+
+
 def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     """On a clock on which only sleeping takes time."""
-    cradle = make_live()
-    settings = settings_for(cradle, csv, [outwards_to_angle(30)], 1)
+    cradle = Cradle()
+    settings = settings_for(csv, [outwards_to_angle(30)], 1)
     player = players.Lines(cradle, settings, seconds=1.2)
     slept = []
     player.pace = RealTime(
         DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4))
     )
-    players.run(cradle_main, player)
+    players.run(PROGRAMS["single"], player)
     assert sum(slept) == pytest.approx(1.2, abs=2 / 60)
     heading, first, *lines = capsys.readouterr().out.splitlines()
     assert (
@@ -62,35 +71,44 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
 
 
 def test_a_remark_about_the_run_is_printed_once(csv, capsys):
-    cradle = make_live()
-    player = players.Lines(cradle, settings_for(cradle, csv), 1.0)
+    player = players.Lines(Cradle(), settings_for(csv), 1.0)
     player.pace = Mock(due=lambda most: most, frame_start=0.0, clock=lambda: 0.0)
     player.pace.remark = lambda: "0.6x real time"
-    players.run(cradle_main, player)
+    players.run(PROGRAMS["single"], player)
     _, remark, *lines = capsys.readouterr().out.splitlines()
     assert remark == "0.6x real time"
     assert [float(line.split()[0]) for line in lines] == [0, 0.5, 1]
 
 
-@pytest.mark.parametrize(("error", "status"), [(BrokenPipeError(), 0), (SignalError(131), 131)])
+@pytest.mark.parametrize(("error", "status"), [("BrokenPipeError", 0), ("SignalError(131)", 131)])
 def test_it_ends_quietly_when_nobody_reads_on_or_a_signal_comes(
-    main, csv, monkeypatch, error, status
+    main, csv, write_program, error, status
 ):
     """Also in a student's function, which may print."""
-    monkeypatch.setattr("src.swinging.sin", Mock(side_effect=error))
-    monkeypatch.setattr(text_cradle_run, "many_ticks", None)
-    ended, _, err = main(csv)
-    assert (ended, err) == (status, "")
+    write_program(f"from support.start.end import SignalError\nraise {error}")
+    assert main(csv) == (status, "", "")
 
 
-def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
+NEVER_ENDS = """
+from support.start.end import SignalError
+
+def inner():
+    raise SignalError(0)
+
+def outer():
+    inner()
+
+outer()
+"""
+
+
+def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch, write_program):
     """A loop that takes longer than ENDLESS_AFTER has no end."""
+    write_program(NEVER_ENDS)
+    assert main(csv) == (0, "", "")
     monkeypatch.setattr("support.cradle.player.ENDLESS_AFTER", -1)
-    monkeypatch.setattr("src.swinging.sin", Mock(side_effect=SignalError(0)))
-    monkeypatch.setattr(text_cradle_run, "many_ticks", None)
-    status, _, err = main(csv)
-    assert status == 0
-    assert re.match(r"swinging\.py, line \d+: .* in angle_update or .* or main never end\?\n$", err)
+    words = "program.py, line 5: does a loop in inner or outer never end?\n"
+    assert main(csv) == (0, "", words)
 
 
 # --- the recorder ---------------------------------------------------------------------------------
@@ -100,7 +118,6 @@ def test_ctrl_c_in_a_loop_without_end_names_it(main, csv, monkeypatch):
     ("dt", "line", "count", "last", "every"),
     [
         (DT, "0.025", 3, 0.02, 0.01),
-        (DT, "0.3 --every 0.1", 4, 0.3, 0.1),
         (DT, "0.001 --every 0.0001", 11, 0.001, 0.0001),
         (3e-4, "1.4", 142, 1.3959, 0.0099),  # nearer to 0.01 than 0.0102
     ],
@@ -123,12 +140,17 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(
     assert parts[-1] == 1
 
 
-def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(main, csv, monkeypatch):
+def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(
+    main, csv, monkeypatch, write_program
+):
+    """A student's own, and a remark about the run."""
     monkeypatch.chdir(csv.parent)
-    monkeypatch.setattr(text_cradle_run, "what_there_is", lambda loop, _: (loop, REMARK))
-    arguments = csv, "--seconds", "0.02", "--record"
-    main(*arguments, "./-")
-    assert main(*arguments, "-") == (0, Path("-").read_text(), f"{REMARK}\n")
+    own = "print('words')\n    pend_list[0]['mass'] = 2\n    while"
+    write_program(PROGRAMS["single"].read_text().replace("while", own))
+    arguments = csv, "--seconds", "0.02", "--e", 0.5, "--record"
+    remark = "The program does not take mass from NC_FP.\n"
+    assert main(*arguments, "./-")[1].startswith(f"words\n{remark}3 rows, ")
+    assert main(*arguments, "-") == (0, Path("-").read_text(), f"words\n{remark}")
 
 
 def test_a_recording_that_is_ended_early_leaves_the_old_file(main, csv, monkeypatch):
@@ -159,14 +181,6 @@ def test_a_terminal_shows_the_progress_of_what_takes_longer_than_two_seconds(
     assert stderr.getvalue() == (f"{quarter}\r[{'#' * 40}] 100 % \n" if shown else "")
 
 
-@pytest.mark.parametrize(
-    ("option", "value", "message"),
-    [
-        ("--lift", "6", "--lift: found '6', allowed is at most 5"),
-        ("--record", "gone/swing.csv", "gone/swing.csv: No such file or directory"),
-    ],
-)
-def test_the_program_refuses_in_one_line(main, csv, option, value, message):
-    status, out, err = main(csv, option, value, "--seconds", "1")
-    assert (status, out, err.count("\n")) == (2, "", 1)
-    assert err.startswith(message)
+def test_the_program_refuses_in_one_line(main, csv):
+    words = f"--lift: found '6', allowed is at most 5, the number of pendula in {csv}\n"
+    assert main(csv, "--lift", 6) == (2, "", words)

@@ -4,14 +4,11 @@ from unittest.mock import Mock
 
 import pytest
 from rig import Rig
-from whole_cradles import FIVE_CSV, GOOD, HEADER
+from whole_cradles import FIVE_CSV, GOOD, HEADER, PROGRAMS
 
-from src import visualize_cradle_run
 from support.constants import G, R_PARAM
 from support.cradle.player import run
 from support.cradle.real_time import FRAME
-
-TWO = "Two bobs"
 
 
 def test_pause_and_run(rig):
@@ -106,22 +103,23 @@ def test_the_loop_ends_when_the_last_tab_is_closed(rig):
     rig.tabs.are_gone = True
     rig.viewer.pace.sleep = Mock(side_effect=[None] * 3)
     rig.viewer.next_cradle.want()
-    run(visualize_cradle_run.main, rig.viewer)
+    run(PROGRAMS["single"], rig.viewer)
     assert rig.viewer.is_over
+    assert not rig.viewer.has_failed
 
 
 def test_a_saved_csv_makes_a_new_cradle_and_the_settings_stay(rig):
-    """Also while paused."""
-    settings = {"speed": 0.5, "separating": True, "e": 0}
-    for name, value in settings.items():
+    """Also while paused. Its own e counts."""
+    settings = {"speed": 0.5, "separating": True}
+    for name, value in {**settings, "e": 0, "lifted": 3}.items():
         rig.give(name, value)
-    rig.give("lifted", 3)
     rig.wait(0.1)
     rig.give("pause")
     rig.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
     assert rig.state == rig.state | settings
     assert not rig.state["running"]
     assert rig.values("mass") == [2, 2]
+    assert rig.values("e") == [0.5, 0.5]
     assert rig.state["lifted"] == rig.control("lifted")["max"] == 2
     assert rig.time() == 0
     rig.save(FIVE_CSV)
@@ -140,13 +138,14 @@ def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
 
 
 def test_a_key_that_the_handout_does_not_have_is_named(csv):
-    """Columns of the CSV are no such keys."""
+    """Beside what there is to say about the run. Columns of the CSV are no such keys."""
     csv.write_text("name," + HEADER + f"a,{GOOD}b,{GOOD}")
-    rig = Rig(csv, remark="Write next: main.")
-    assert rig.state["remark"] == "Write next: main."
+    rig = Rig(csv)
+    assert rig.state["remark"] == ""
+    rig.viewer.note("It is slow.")
     rig.cradle.pend_list[1]["Theta"] = 0.5
     rig.wait()
-    message = "Write next: main. Pendulum 2 has the key 'Theta', which the handout does not have."
+    message = "It is slow. Pendulum 2 has the key 'Theta', which the handout does not have."
     assert rig.state["remark"] == message
 
 

@@ -1,6 +1,7 @@
 """More cradles for the project's tests: CSV text, double pendula made by hand, and live cradles."""
 
-from contextlib import ExitStack, suppress
+from argparse import Namespace
+from contextlib import contextmanager, suppress
 from itertools import accumulate, combinations
 from math import cos, pi, sin, sqrt
 from types import SimpleNamespace
@@ -10,18 +11,25 @@ import pytest
 from vpython import color, mag, vector
 
 from grading.cradles import hang, R
-from src import special_cradles, visualize_cradle_run, visualize_double_cradle_run
+from src import visualize_cradle_run
 from src.double_cradle import make_double_pendulum
-from support.constants import DT, G, PHI_INIT, R_PARAM, THETA_INIT
-from support.cradle import many_ticks
+from support.constants import DT, G, R_PARAM
 from support.cradle.cradle import Cradle
-from support.cradle.player import Player
+from support.cradle.hits import Hit, Hits
+from support.cradle.many_ticks import is_shipped, many_ticks
+from support.cradle.player import Player, run_once
 from support.cradle.settings import Settings
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import CradleCsv, read_cradle
+from support.files.valid_cradle import CradleCsv, read_cradle, with_options
 from support.pendulum import contact_distance, outwards_to_angle
+from support.root import SRC
 
+# Of each kind of cradle
+PROGRAMS = {
+    "single": SRC / "visualize_cradle_run.py",
+    "double": SRC / "visualize_double_cradle_run.py",
+}
 # s, for small swings; it uses the constants, so the tests wait long enough if someone edits them.
 PERIOD = 2 * pi * sqrt(R_PARAM / G)
 
@@ -98,34 +106,22 @@ def distances(pend_list) -> list[float]:
     return found
 
 
-def make_live(kind=Cradle, **options) -> Cradle:
-    """Return a cradle with these options, without pendula."""
-    given = SimpleNamespace(elastic=False, inelastic=False, e=None, mass=None)
-    vars(given).update(options)
-    if kind is Cradle:
-        return Cradle(visualize_cradle_run.main, special_cradles, given, many_ticks)
-    return kind(visualize_double_cradle_run.main, special_cradles, given)
-
-
 class FrameError(Exception):
     """The player begins its next frame."""
 
 
-def go_on(player) -> None:
-    """Do the work of run and main, until the player would begin a frame."""
+def go_on(player, file=None) -> None:
+    """Run a program, or go on in its loop, until the player would begin a frame.
+
+    The program is that of the cradle, or this file.
+    """
     cradle = player.cradle
-    scope = cradle.scope
-    starts = [THETA_INIT, PHI_INIT][: cradle.cord_count]
-    player.loop = scope["main"]
-    with ExitStack() as stack:
-        stack.enter_context(patch.object(player, "frame", side_effect=FrameError))
-        stack.enter_context(suppress(FrameError))
-        stack.callback(player.hits.stop)
+    with patch.object(player, "frame", side_effect=FrameError), suppress(FrameError):
         if player.next_cradle.is_wanted:
             player.begin()
-            player.show(scope[cradle.make_name](player.csv, R_PARAM, *starts))
-        while player.is_running():
-            scope[cradle.tick_name](cradle.pend_list, R_PARAM, cradle.dt, G, **player.rule)
+            run_once(file or PROGRAMS[cradle.kind], player)
+        while player.is_running(cradle.pend_list):
+            cradle.tick_function(cradle.pend_list, R_PARAM, cradle.dt, G)
 
 
 def thetas(release_angles) -> list:
@@ -138,39 +134,48 @@ def checked(filepath, cords=1) -> CradleCsv:
     return read_cradle(Snapshot(filepath), cords)
 
 
+def settings_for(file, angles=(None,), lifted=None, **options) -> Settings:
+    """Return the settings of a CSV's cradle, released from these angles (rad).
+
+    The options are e, mass, elastic or inelastic.
+    """
+    given = Namespace(elastic=False, inelastic=False, e=None, mass=None)
+    vars(given).update(options)
+    csv = with_options(checked(file, len(angles)), given)
+    return Settings(csv, [*angles], lifted)
+
+
 class Swing(Player):
-    """A player with the number of ticks that a test sets."""
+    """A player with the number of ticks that a test sets, of a program: this file, or ours."""
+
+    def __init__(self, cradle, settings, file=None):
+        super().__init__(cradle, settings, 1e9)
+        self.file = file
+        go_on(self, file)
 
     def swing(self, ticks):
         self.plan(ticks)
-        go_on(self)
+        go_on(self, self.file)
 
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
         filepath = self.next_cradle.settings.csv.filepath
         filepath.write_text(text)
         self.next_cradle.want(csv=checked(filepath, self.cradle.cord_count))
-        go_on(self)
+        go_on(self, self.file)
 
 
-def settings_for(cradle, file, angles=(None,), lifted=None) -> Settings:
-    """Return the settings of a CSV's cradle, released from these angles (rad)."""
-    pendula = checked(file, cradle.cord_count)
-    return Settings(pendula, [*angles], lifted, cradle.e_source, cradle.mass)
-
-
-def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, **options) -> Swing:
+def make_swing(
+    folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, file=None, **options
+) -> Swing:
     """Write this CSV to the folder; return a player of its cradle with these options.
 
-    It is released from angle and phi (degrees).
+    It is released from angle and phi (degrees). file is a program in place of ours.
     """
     angles = thetas([angle, phi][: kind.cord_count])
-    file = folder / "cradle.csv"
-    file.write_text(csv)
-    cradle = make_live(kind, **options)
-    player = Swing(cradle, settings_for(cradle, file, angles, lift), 1e9)
-    go_on(player)
-    return player
+    path = folder / "cradle.csv"
+    path.write_text(csv)
+    return Swing(kind(), settings_for(path, angles, lift, **options), file)
 
 
 def make_row(count, theta=0.0, **values) -> list[dict]:
@@ -180,42 +185,40 @@ def make_row(count, theta=0.0, **values) -> list[dict]:
     return row
 
 
-def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False):
-    """Return the hits of many_ticks with these constants, as numbers, or None."""
-    scope = {**vars(visualize_cradle_run), "R_PARAM": r_param, "DT": dt, "G": g}
-    hits = many_ticks.many_ticks(scope, pend_list, ticks, {"approaching_only": approaching_only})
-    return None if hits is None else [hit[:4] for hit in hits]
+@contextmanager
+def noting(pend_list, separating=False):
+    """Play these pendula by the functions of src/; yield the cradle and its Hits."""
+    cradle = Cradle()
+    cradle.find_functions(vars(visualize_cradle_run))
+    cradle.pend_list = pend_list
+    hits = Hits(cradle, SimpleNamespace(separating=separating))
+    hits.listen()
+    try:
+        yield cradle, hits
+    finally:
+        hits.stop()
 
 
-def do_one_by_one(
-    pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, approaching_only=False
-) -> list[tuple]:
-    """Call newton_cradle_tick `ticks` times; return the hits as do_at_once does."""
-    hits = []
-    original = visualize_cradle_run.handle_two_bobs
-    places = {id(pend): i for i, pend in enumerate(pend_list)}
-
-    def handle_two_bobs(pend1, pend2, r_param, **rule):
-        before = pend1["omega"], pend2["omega"]
-        velocity1 = pend1["omega"] * cos(pend1["theta"])
-        velocity2 = pend2["omega"] * cos(pend2["theta"])
-        original(pend1, pend2, r_param, **rule)
-        if (pend1["omega"], pend2["omega"]) != before:
-            left, right = places[id(pend1)], places[id(pend2)]
-            speed = (velocity1 - velocity2) * r_param
-            hits.append((tick, left, right, speed))
-
-    with patch.object(visualize_cradle_run, "handle_two_bobs", handle_two_bobs):
-        for tick in range(1, ticks + 1):  # noqa: B007  for the hits
-            visualize_cradle_run.newton_cradle_tick(pend_list, r_param, dt, g, approaching_only)
-    return hits
+def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, separating=False) -> list[Hit]:
+    """Let the fast path do `ticks` ticks; return the hits."""
+    with noting(pend_list, separating) as (cradle, hits):
+        many_ticks(cradle, hits, ticks, {"R_PARAM": r_param, "DT": dt, "G": g})
+    return hits.noted
 
 
-def hits_in(pend_list, seconds, dt=DT) -> list[tuple]:
+def do_one_by_one(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, separating=False) -> list[Hit]:
+    """Call newton_cradle_tick `ticks` times; return the hits."""
+    with noting(pend_list, separating) as (_, hits):
+        for tick in range(1, ticks + 1):
+            hits.tick = tick
+            visualize_cradle_run.newton_cradle_tick(pend_list, r_param, dt, g)
+    return hits.noted
+
+
+def hits_in(pend_list, seconds, dt=DT) -> list[Hit]:
     """Advance the cradle as the programs do, in ticks of dt (s); return its hits."""
-    motion = pend_list, R_PARAM, dt, G, round(seconds / dt), True
-    hits = do_at_once(*motion)
-    return do_one_by_one(*motion) if hits is None else hits
+    do = do_at_once if is_shipped(vars(visualize_cradle_run)) else do_one_by_one
+    return do(pend_list, R_PARAM, dt, G, round(seconds / dt))
 
 
 def advance(pend_list, seconds, dt=DT) -> list[float]:

@@ -9,6 +9,8 @@ right body in PLAIN. It can use all names of the function's file, and `from ... 
 
 from right_solutions import PLAIN
 
+from grading.handout import PROGRAM
+
 # A row is a line:
 # fmt: off
 # The first words of each hint, by function, and a mistake that gets it.
@@ -77,8 +79,13 @@ HINTED = {
         "This is the result if all pairs collide.": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "[handle_two_bobs(pend_list[i], other, r_param) for other in pend_list[i + 1 :]]"),
         "There is no module full_swing_update for": ("full_swing_update(", "import full_swing_update\n        full_swing_update("),
     },
-    "main": {
-        "main has not called page.show: the": ("page.show(pend_list)", "page.show"),
+    PROGRAM: {
+        "No loop with a cradle has called": ("while is_running(pend_list):", "for _ in range(3):"),
+        "This line calls newton_cradle_tick with a value": ("(pend_list, R_PARAM, DT, G)", "(R_PARAM, pend_list, DT, G)"),
+        "The name NC_FP comes from another": ("pend_list =", "del NC_FP\n        pend_list ="),
+        "This is the result if each turn makes": ("    newton_", "    pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT); newton_"),
+        "This is the result of two ticks in": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
+        "The program ended by itself before the check": ("DT, G)", "DT, G)\n            break"),
     },
     "double_angle_update": {
         "The value behind / is 0": ("g / r_param", "1 / (r_param / g)"),
@@ -95,14 +102,13 @@ OTHERS = {
         "ten at most": ("return pend_list", "return pend_list[:10]"),
     },
     "uniform_mass_newton_cradle": {
-        "writes the file": ("return", "open(relative_filepath, 'a').write(' '); return"),
         "a loop over one pendulum": ('for pend in pend_list:\n            pend', 'for key in pend_list[0]:\n            pend_list[0]'),
     },
     "uniform_e_newton_cradle": {"Here, e is 1, but e_val is not.": ("= e_val", "= e_val or 1")},
     "elastic_newton_cradle": {"e must be exactly 1.": (", 1)", ", 0.99)")},
     "inelastic_newton_cradle": {"e must be exactly 0.": (", 0)", ", 1e-3)")},
     "make_newton_cradle": {
-        "theta too late": "pend_list = extract_and_convert(relative_filepath)\nfor i, pend in enumerate(pend_list):\n    pend['theta'] = 0\n    pend['omega'] = 0\n    axle_pos = vector(-0.1 + r_param / 4 * i, r_param / 5, 0)\n    pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], COLOR_MAP[pend['color']], TEXTURE_MAP[pend['texture']])\npend_list[0]['theta'] = theta_init\nreturn pend_list",
+        "the first bob drawn at rest": ("r_param, pend['theta']", "r_param, 0"),
         "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
         "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
         "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
@@ -129,12 +135,26 @@ OTHERS = {
     },
     "newton_cradle_tick": {
         "numbers of its own": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, 0.0001, 9.81); R_PARAM = DT = G = 0"),
-        "the swing between": "for i in range(len(pend_list)):\n    __import__('src.swinging').swinging.swing_update(pend_list[i], r_param, dt, g)\n    if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
+        "the swing between": "from src.swinging import swing_update\nfor i in range(len(pend_list)):\n    swing_update(pend_list[i], r_param, dt, g)\n    if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
         "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
     },
-    "main": {
-        "shows it again and again": ("DT, G)", "DT, G)\n            page.show(pend_list)"),
-        "the file as it was once": ("pend_list = make_newton_cradle(page.csv", "page.old = vars(page).get('old') or __import__('shutil').copy(page.csv, f'{page.csv}.old'); pend_list = make_newton_cradle(page.old"),
+    PROGRAM: {
+        "a path for the loop": ("(pend_list):", "(NC_FP):"),
+        "an angle of its own": ("THETA_INIT", "-0.7"),
+        "a cord of its own": ("NC_FP, R_PARAM", "NC_FP, 0.3"),
+        "the constants exchanged": ("DT, G", "G, DT"),
+        "made twice": ("while", "make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)\n        while"),
+        "nothing in the loop": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "pass"),
+        "an exit in the loop": ("DT, G)", "DT, G)\n            exit()"),
+        "only the swings": ("newton_cradle_tick", "full_swing_update"),
+        "pendula of no file": """\
+            from support.pendulum import make_pendulum
+            pend_list = []
+            for theta in (THETA_INIT, 0):
+                objects = make_pendulum(vector(0, 0, 0), R_PARAM, theta, vector(1, 0, 0), None)
+                pend_list.append({"mass": 1, "e": 1, "theta": theta, "omega": 0, "objects": objects})
+            while is_running(pend_list):
+                newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
     },
     "make_double_pendulum": {
         "Both cords have the length r_param.": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),

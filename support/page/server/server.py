@@ -23,7 +23,7 @@ from support.page.server.site import Site
 from support.page.server.tabs import Tabs
 
 FAREWELL = 0.3  # s that the tabs have to hear of the end
-# s that main has to end without a tab; then Ctrl+C ends it: it may be in a loop that never ends.
+# s that a program has to end without a tab; then Ctrl+C ends it: a loop in it may never end.
 LEAVE = 1.0
 LARGEST_MESSAGE = 2**24  # bytes, either way: a tab that sends more loses its websocket
 
@@ -66,15 +66,11 @@ class Server:
             host = f"[{host}]"
         return f"http://{host}:{port}/?key={self.site.key}"
 
-    def close(self, patience: float = FAREWELL) -> None:
-        """Tell all tabs that the program has ended, and stop.
-
-        Wait up to patience (s) until they have heard it.
-        """
-        if self.tabs.last.get("ended") is None:
-            self.tabs.tell({"ended": ""})
+    def close(self) -> None:
+        """Tell all tabs that the program has ended, wait until they have heard it, and stop."""
+        self.tabs.tell({"ended": ""})
         self.loop.call_soon_threadsafe(self.close_tabs)
-        end = time.monotonic() + patience
+        end = time.monotonic() + FAREWELL
         while self.tabs.tabs and time.monotonic() < end:
             time.sleep(0.02)
         self.browser_start.delete_file()

@@ -80,15 +80,22 @@ class Tabs:
 
         The state can be a part of it, or all.
         """
-        new = {name: value for name, value in state.items() if self.last.get(name, NEW) != value}
-        self.last.update(new)
+        new = self.changes(state)
         drawing = take_changes()
         if new or drawing:
             self.in_server(self.deliver, new, drawing)
 
     def tell(self, state: Mapping[str, Any]) -> None:
-        """Send these values from any thread, also while no picture can be shown."""
-        self.in_server(self.deliver, state, {})
+        """Send what differs in these values, from any thread; the picture stays as it is."""
+        new = self.changes(state)
+        if new:
+            self.in_server(self.deliver, new, {})
+
+    def changes(self, state: Mapping[str, Any]) -> dict[str, Any]:
+        """Return which of these values differ from the last ones; they are the last ones now."""
+        new = {name: value for name, value in state.items() if self.last.get(name, NEW) != value}
+        self.last.update(new)
+        return new
 
     def deliver(self, state: Mapping[str, Any], drawing: Mapping[str, list]) -> None:
         """Give changes to all tabs, also to those that come later.

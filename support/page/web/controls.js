@@ -2,7 +2,7 @@
 import { find, make, show, state, update } from "page";
 import { send, set, sliders } from "program";
 
-const SETTLING = 600; // ms after which a slider shows what the program says
+const SETTLING = 600; // ms after which a control shows what the program says
 let moved; // the slider that you have just moved
 let timer;
 
@@ -67,10 +67,11 @@ addEventListener("click", ({ target }) => {
   if (control) set(control, JSON.parse(value));
 });
 addEventListener("input", ({ target }) => {
-  if (target.type !== "range") return;
-  sliders.set(target.name, +target.value);
-  // For a moment, the program may still say an older value.
-  moved = target;
+  if (target.type === "range") {
+    sliders.set(target.name, +target.value);
+    // For a moment, the program may still say an older value.
+    moved = target;
+  }
   clearTimeout(timer);
   timer = setTimeout(() => {
     moved = null;

@@ -1,0 +1,90 @@
+"""The loop of a program: is_running, or VPython's rate in its place; and bare VPython."""
+
+import socket
+
+import pytest
+from pages import BOBS
+from programs import end, running, wait_until
+from students import change
+
+from support import simulation
+from support.constants import R_PARAM
+
+HEAD = """
+from support.simulation import is_running, rate
+
+ticks = 0
+rate(1)  # before there is a list
+pend_list = [{"objects": ()}]
+
+def tick():
+    global ticks
+    ticks += 1
+    assert ticks < 9
+"""
+LOOPS = {  # a loop, and its ticks
+    "while is_running(pend_list): tick()": 3,
+    "while True: rate(1 / 1e-4); tick()": 3,
+    "for _ in range(9): rate(100); tick()": 3,
+    "for _ in range(2): rate(100); tick()": 2,
+    "while is_running(pend_list): tick(); rate(1)": 3,
+    "while True: is_running(pend_list); tick()": 4,  # it does not hear the answer
+    """def main():
+        pendula = pend_list
+        del globals()["pend_list"]
+        while True: rate(1); tick()
+main()""": 3,
+    """while True:
+        rate(1)
+        tick()
+        pend_list = [*map(dict, pend_list)]""": 3,
+}
+
+
+class ThreeTicks:
+    """A player that lets a loop do three ticks."""
+
+    def __init__(self):
+        self.asked = []  # for these lists
+
+    def is_running(self, pend_list):
+        self.asked.append(pend_list)
+        return len(self.asked) <= 3
+
+
+@pytest.mark.parametrize("loop", LOOPS)
+def test_each_loop_does_the_ticks_of_its_player_and_then_ends(loop):
+    player = ThreeTicks()
+    names = {}
+    simulation.play(lambda: exec(HEAD + loop, names), player)
+    assert names["ticks"] == LOOPS[loop]
+    assert all(pend_list == [{"objects": ()}] for pend_list in player.asked)
+
+
+def test_without_a_player_is_running_says_what_it_needs_and_rate_does_not_wait():
+    simulation.rate(1e-9)
+    with pytest.raises(RuntimeError, match=r"^is_running needs a program: `import begin_page` "):
+        simulation.is_running([])
+
+
+def test_with_rate_the_program_throws_the_last_bob_out_on_bare_vpython(page, program):
+    """As README says it; until the tab is closed."""
+    change(program, "import begin_page", "import begin")
+    change(program, "from vpython import mag", "from vpython import mag, rate")
+    change(program, "while is_running(pend_list):", "while True:\n        rate(1 / DT)")
+    with socket.create_server(("localhost", 0)) as server:
+        _, port = server.getsockname()
+    with running(program, VPYTHON_HTTP_PORT=str(port)) as process:
+        wait_until(lambda: is_open(port))
+        page.goto(f"http://localhost:{port}")
+        farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"
+        page.wait_for_function(f"() => {farthest} > {-0.1 + 5 / 4 * R_PARAM}")
+        page.close()
+        status, stdout, _ = end(process)  # VPython's own server may print an error
+        assert (status, stdout) == (0, "")
+
+
+def is_open(port):
+    """Return whether a server listens at this port."""
+    with socket.socket() as client:
+        return client.connect_ex(("localhost", port)) == 0
