@@ -139,7 +139,7 @@ def test_a_page_shows_a_mistake_with_its_line_and_its_program_ends_with_the_page
     with running(project / VISUALIZE_FILE) as process:
         page.goto(first_lines(process))
         line = "src/swinging.py, line 15: omegaa if theta > 0.1 else 0"
-        words = f"NameError: name 'omegaa' is not defined ({line}) Mend it, and save the file."
+        words = f"NameError: name 'omegaa' is not defined ({line}). Mend it, and save the file."
         page.get_by_text(words).wait_for()
         page.close()
         status, _, stderr = end(process)

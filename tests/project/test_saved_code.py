@@ -173,7 +173,7 @@ RATE = """while True:
 MISTAKES = {  # changes that end the motion, and what the page says
     "a mistake": (
         "NameError: name 'gg' is not defined (src/swinging.py, line 15: omega_new = omega - gg * "
-        "sin(theta) / r_param * dt) Mend it, and save the file.",
+        "sin(theta) / r_param * dt). Mend it, and save the file.",
         (SWINGING, "- g *", "- gg *"),
     ),
     "an endless loop": (
