@@ -316,9 +316,11 @@ def play(file: Path, player: Player) -> None:
     player.names = vars(program)
     try:
         simulation.play(partial(run_file, program), player)
+        return
     except NotImplementedError as error:
-        if player.cradle.cord_count == 2:  # it has no tiers
-            raise UnwrittenError(*missing_in(error)) from None
-        player.begin()
-        player.is_preview = True
-        simulation.play(partial(preview, player.names, error, player.note), player)
+        unwritten = error
+    if player.cradle.cord_count == 2:  # it has no tiers
+        raise UnwrittenError(*missing_in(unwritten))
+    player.begin()
+    player.is_preview = True
+    simulation.play(partial(preview, player.names, unwritten, player.note), player)

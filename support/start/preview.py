@@ -97,7 +97,7 @@ class Written:
         self.call("angle_update", 0.0, 0.0, R_PARAM, DT, G)
         self.call("full_swing_update", [], R_PARAM, DT, G)
         self.call("handle_collision", 1.0, 0.0, 0.0, 1.0, 1.0, R_PARAM)
-        self.call("handle_two_bobs", *map(dict, pend_list[:2]), R_PARAM)
+        self.call("handle_two_bobs", dict(pend_list[0]), dict(pend_list[-1]), R_PARAM)
         self.call("newton_cradle_tick", [], R_PARAM, DT, G)
         return pend_list
 

@@ -6,6 +6,7 @@ import pytest
 from pages import bob_angles, wait_for_cradle
 from programs import end, first_lines, python, running, slow_except, wait_until
 from students import change, write, write_tiers
+from whole_cradles import GOOD, HEADER
 
 from grading.handout import FUNCTIONS, PROGRAM, SPECIAL, SWINGING, VISUALIZE_FILE
 
@@ -109,6 +110,15 @@ def test_a_mistake_is_shown_only_if_the_cradle_needs_its_line(starter, mistake):
     assert done.returncode == status
     printed = done.stderr.splitlines()[-2] if status else done.stdout  # the last line is advice
     assert printed.startswith(words)
+    assert "another exception" not in done.stderr
+
+
+def test_also_one_pendulum_alone_shows_which_function_is_next(starter):
+    (starter / "newton_cradle_pends.csv").write_text(HEADER + GOOD)
+    write_tiers(starter, "DC")
+    write(starter, "handle_collision")
+    done = python(TERMINAL, "--seconds", "0.1", folder=starter)
+    assert done.stdout.startswith(write_next(starter, "handle_two_bobs"))
 
 
 def test_what_a_function_prints_is_printed_once(starter):
