@@ -39,7 +39,7 @@ class Hits:
         self.noted: list[Hit] = []  # of the present batch
         self.tick = 0  # the number of the present tick
         self.was_asked = False  # whether a tick of this run has called the function
-        self.has_rule = False  # whether the function gets only bobs that approach
+        self.has_rule = False  # whether the rule holds for this kind of cradle
         self.pendula: list[Pendulum] = []  # those with which the run began
         self.indices: dict[int, int] = {}  # of each one's id -> its index
         self.replaced = ExitStack()  # puts the function back

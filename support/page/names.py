@@ -40,7 +40,7 @@ class State(TypedDict, total=False):
     title: str
     remark: str
     error: str  # the mistake in your CSV
-    endless: str  # a function that does not return
+    endless: str  # the line where the program stays, or waits
     stopped: str  # the mistake that has ended the last run
     over: str  # why it is over without a mistake
     saved: str  # why what you have saved does not run, or has a wrong name

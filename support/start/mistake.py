@@ -35,7 +35,7 @@ def is_in_src(filename: str) -> bool:
 def students_frames(error: BaseException, player: str) -> list[traceback.FrameSummary]:
     """Return the frames of an error that are in src/, and below those of the player's file.
 
-    Return none if the player itself failed, which the program has asked, or has not run it yet.
+    Return none if the player itself failed, when the program asked it, or before it ran one.
     """
     if isinstance(error, MistakeError) and error.code:
         code = error.code

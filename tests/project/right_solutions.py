@@ -1,8 +1,8 @@
 """Correct solutions, which the graded suites must accept.
 
-PLAIN has the body of each function of the handout, and of the program's block. RIGHT has other ways to write it: the body, or a
-pair (old text, new text) for its body in PLAIN. Add one, and tests/project/test_graded_suites.py
-covers it.
+PLAIN has the body of each function of the handout, and of the program's block. RIGHT has other ways
+to write it: the body, or a pair (old text, new text) for its body in PLAIN. Add one, and
+tests/project/test_graded_suites.py covers it.
 """
 
 from grading.handout import PROGRAM
