@@ -4,10 +4,12 @@ import errno
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from hashlib import file_digest, sha256
 from pathlib import Path
 from typing import TextIO
 
-written: dict[Path, bytes] = {}  # what this process has written last into a file
+# The digest of what this process has written last into a file; the content can be a gigabyte.
+written: dict[Path, bytes] = {}
 
 
 @contextmanager
@@ -24,9 +26,10 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
     try:
         with open(unfinished, "w", encoding="utf-8", newline="") as file:
             yield file
-        data = unfinished.read_bytes()
+        with open(unfinished, "rb") as whole:
+            digest = file_digest(whole, "sha256").digest()
         os.replace(unfinished, target)
-        written[target.resolve()] = data
+        written[target.resolve()] = digest
     except OSError as error:
         if error.filename in (None, str(unfinished)):  # else it is of another file
             error.filename = str(filepath)
@@ -38,4 +41,4 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
 
 def has_written(filepath: str | Path, data: bytes) -> bool:
     """Return whether this process has written this content into a file."""
-    return written.get(Path(filepath).resolve()) == data
+    return written.get(Path(filepath).resolve()) == sha256(data).digest()
