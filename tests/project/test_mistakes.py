@@ -134,13 +134,11 @@ def test_a_mistake_of_the_project_is_reported_in_full(project):
     assert "ZeroDivisionError" in done.stderr
 
 
-def test_a_page_shows_a_mistake_with_its_line_and_its_program_ends_with_the_page(page, project):
+def test_a_program_with_a_mistake_ends_with_its_page(page, project):
     change(*MISTAKES["late"][:3])
     with running(project / VISUALIZE_FILE) as process:
         page.goto(first_lines(process))
-        line = "src/swinging.py, line 15: omegaa if theta > 0.1 else 0"
-        words = f"NameError: name 'omegaa' is not defined ({line}). Mend it, and save the file."
-        page.get_by_text(words).wait_for()
+        page.get_by_text("Mend it, and save the file.").wait_for()
         page.close()
         status, _, stderr = end(process)
     check_end(status, stderr, "late")

@@ -130,6 +130,17 @@ def test_a_slider_that_springs_back_says_why(csv, write):
     assert rig.state["remark"] == "The program does not take e from NC_FP."
 
 
+def test_a_program_that_writes_your_csv_does_not_start_itself_again(csv, write):
+    save = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)"
+    write(MAKE, f"pend_list[0]['mass'] += 1; {save}")
+    rig = Rig(csv)
+    for mass in (2, 3):
+        rig.wait(1)
+        assert rig.time() > 0.9
+        assert rig.state["table"]["mass"][0] == mass
+        rig.give("restart")
+
+
 def test_a_program_that_lifts_no_bob_says_how_many_the_slider_lifts(csv, write):
     write(MAKE, "pend_list[0]['theta'] = 0.0")
     rig = Rig(csv, None, lifted=None)
