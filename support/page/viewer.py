@@ -307,7 +307,7 @@ class Viewer(Player):
             over = str(error)
             print(over)
         elif error:
-            over, stopped = "", f"{report_mistake(error, PLAYER_FILE)}. {MEND}"
+            over, stopped = "", f"{report_mistake(error, PLAYER_FILE).rstrip('.')}. {MEND}"
             self.has_failed = True
         self.tabs.tell({"title": self.cradle.title, "over": over, "stopped": stopped})
         while not (self.next_cradle.is_wanted or self.tabs.are_gone):

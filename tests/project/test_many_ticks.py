@@ -13,6 +13,7 @@ from whole_cradles import do_at_once, do_one_by_one
 from grading.cradles import hang, hang_row, R
 from src import visualize_cradle_run
 from support.cradle import many_ticks as module
+from support.cradle.player import SLOW
 from support.pendulum import BUFFER
 
 # --- the same bits ------------------------------------------------------------------------------
@@ -204,9 +205,13 @@ def share_a_bob(pend_list):
         (list, -0.5, "R_PARAM is -0.5."),
     ],
 )
-def test_what_else_hinders_the_fast_path_is_said(change, r_param, found, monkeypatch):
+def test_what_else_hinders_the_fast_path_is_named(change, r_param, found):
     pend_list = hang_row(3)
     change(pend_list)
     assert module.obstacle(pend_list, r_param) == found
+
+
+def test_a_run_that_is_slow_because_of_a_debugger_says_so(swing, monkeypatch):
+    assert swing().remarks == []
     monkeypatch.setattr(sys, "gettrace", lambda: "a debugger")
-    assert module.obstacle(pend_list, r_param).startswith("A debugger")
+    assert swing().remarks == [f"A debugger, a tracer or a profiler watches each call. {SLOW}"]

@@ -179,11 +179,6 @@ def test_a_program_that_ends_before_the_simulation_is_told_to_tick_on(csv, play,
         play(Ticks(csv), end)
 
 
-def test_a_program_that_exits_with_a_status_ends_with_it(csv, play):
-    with pytest.raises(SystemExit, match="^7$"):
-        play(Ticks(csv), "exit(7)")
-
-
 class Callback:
     """Gets a signal where Python loses errors."""
 

@@ -9,6 +9,7 @@ from whole_cradles import FIVE_CSV, GOOD, HEADER, PROGRAMS
 from support.constants import G, R_PARAM
 from support.cradle.player import run
 from support.cradle.real_time import FRAME
+from support.page.viewer import NEW_CONSTANTS
 
 
 def test_pause_and_run(rig):
@@ -135,6 +136,12 @@ def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
 
 
 # --- the texts -------------------------------------------------------------------------------
+
+
+def test_changed_constants_are_named(rig):
+    rig.viewer.source.constants = b"G = 1"
+    rig.viewer.tell_of_files()
+    assert rig.state["saved"] == NEW_CONSTANTS
 
 
 def test_a_key_that_the_handout_does_not_have_is_named(csv):
