@@ -172,9 +172,9 @@ RATE = """while True:
     while False:"""
 MISTAKES = {  # changes that end the motion, and what the page says
     "a mistake": (
-        "NameError: name 'gg' is not defined (src/swinging.py, line 15: omega_new = omega - gg * "
-        "sin(theta) / r_param * dt). Mend it, and save the file.",
-        (SWINGING, "- g *", "- gg *"),
+        "NameError: name 'pull' is not defined (src/swinging.py, line 15: omega_new = omega - pull "
+        "* sin(theta) / r_param * dt). Mend it, and save the file.",
+        (SWINGING, "- g *", "- pull *"),
     ),
     "an endless loop": (
         "src/swinging.py, line 34: the program has been here for 1 s.",
@@ -220,9 +220,9 @@ def test_a_loop_that_catches_its_end_ends_all_the_same(opened):
         (RUN, "from vpython import", "from vpython import rate,"),
         (RUN, "while is_running(pend_list):", RATE),
     )
-    wait_for_moves(opened.page)
+    wait_until(lambda: readout(opened.page, "t") > 1)
     press(opened.page, "Restart")
-    opened.wait_for_text("the program has been here for 1 s.")
+    wait_until(lambda: readout(opened.page, "t") < 1)
     opened.mend()
 
 
