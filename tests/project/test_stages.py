@@ -113,7 +113,7 @@ def test_a_mistake_is_shown_only_if_the_cradle_needs_its_line(starter, mistake):
     assert "another exception" not in done.stderr
 
 
-def test_also_one_pendulum_alone_shows_which_function_is_next(starter):
+def test_one_pendulum_shows_which_function_is_next(starter):
     (starter / "newton_cradle_pends.csv").write_text(HEADER + GOOD)
     write_tiers(starter, "DC")
     write(starter, "handle_collision")

@@ -139,7 +139,7 @@ def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
 
 
 def test_changed_constants_are_named(rig):
-    rig.viewer.source.constants = b"G = 1"
+    rig.viewer.source.constants = b""
     rig.viewer.tell_of_files()
     assert rig.state["saved"] == NEW_CONSTANTS
 
