@@ -131,7 +131,7 @@ def test_a_slider_that_springs_back_says_why(csv, write):
 
 
 def test_a_program_that_writes_your_csv_does_not_start_itself_again(csv, write):
-    save = "from src.pds_helper import write_to_csv; write_to_csv(pend_list)"
+    save = "from src.pds_helper import *; write_to_csv(pend_list)"
     write(MAKE, f"pend_list[0]['mass'] += 1; {save}")
     rig = Rig(csv)
     for mass in (2, 3):

@@ -65,7 +65,7 @@ def test_the_terminal_shows_as_much_as_is_written(starter, written):
     tiers, *functions = written.split(" ")
     write_tiers(starter, tiers)
     write(starter, *functions)
-    done = python(TERMINAL, "--seconds", "0.5", folder=starter)
+    done = python(TERMINAL, "--seconds=0.5", folder=starter)
     assert (done.returncode, done.stderr) == (0, "")
     first, *_, last = done.stdout.splitlines()
     if function:
@@ -106,7 +106,7 @@ def test_a_mistake_is_shown_only_if_the_cradle_needs_its_line(starter, mistake):
     (tiers, file, before, after), (status, words) = MISTAKES[mistake]
     write_tiers(starter, tiers)
     change(starter / file, before, after)
-    done = python(TERMINAL, "--seconds", "0.1", folder=starter)
+    done = python(TERMINAL, "--seconds=0.1", folder=starter)
     assert done.returncode == status
     printed = done.stderr.splitlines()[-2] if status else done.stdout  # the last line is advice
     assert printed.startswith(words)
@@ -117,7 +117,7 @@ def test_one_pendulum_shows_which_function_is_next(starter):
     (starter / "newton_cradle_pends.csv").write_text(HEADER + GOOD)
     write_tiers(starter, "DC")
     write(starter, "handle_collision")
-    done = python(TERMINAL, "--seconds", "0.1", folder=starter)
+    done = python(TERMINAL, "--seconds=0.1", folder=starter)
     assert done.stdout.startswith(write_next(starter, "handle_two_bobs"))
 
 
@@ -126,7 +126,7 @@ def test_what_a_function_prints_is_printed_once(starter):
     change(
         starter / "src/pds_helper.py", "    pend_list = []", "    print('here')\n    pend_list = []"
     )
-    done = python(TERMINAL, "--seconds", "0.1", folder=starter)
+    done = python(TERMINAL, "--seconds=0.1", folder=starter)
     assert done.stdout.splitlines().count("here") == 1
 
 
