@@ -74,6 +74,7 @@ class Player:
         self.run_count = 0  # runs that have begun
         self.is_shown = False  # whether the run has shown its cradle
         self.is_fast = False  # whether the fast path can do its ticks
+        self.copy: Path | None = None  # of the CSV, which NC_FP names
         self.is_preview = False  # whether it shows only the functions that are written
         self.remarks: list[str] = []  # what there is to say about it
         # The ticks of this frame.
@@ -185,9 +186,10 @@ class Player:
         A preview takes only some pendula.
         """
         is_copy = str(csv.filepath) != constants.NC_FP
+        self.copy = Path(constants.NC_FP).resolve() if is_copy else None
         if self.is_preview or not (is_copy or self.next_cradle.is_changed):
             return
-        if is_copy and Path(constants.NC_FP).resolve() in written:
+        if self.copy in written:
             self.note(COPY_WRITTEN)
             return
         if len(self.cradle.pend_list) != len(csv.pendula):
@@ -202,7 +204,7 @@ class Player:
         """Find out whether the fast path can do the ticks; say what hinders it, but no change."""
         self.is_fast = False
         if FAST_PATH and FAST_PATH.is_shipped(self.names):
-            obstacle = FAST_PATH.obstacle(self.cradle.pend_list, self.names["R_PARAM"])
+            obstacle = FAST_PATH.obstacle(self.cradle.pend_list)
             self.is_fast = not obstacle
             if obstacle:
                 self.note(f"{obstacle} {SLOW}")
@@ -271,6 +273,8 @@ class Player:
         for hit in self.hits.noted:
             self.motion.note_hit(hit)
         self.cradle.require_same_pendula()
+        if self.copy in written:
+            self.note(COPY_WRITTEN)
         if self.motion.ticks % self.step == 0:
             self.take_sample()
 

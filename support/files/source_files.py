@@ -180,17 +180,14 @@ class LiveSource:
         if found != self.candidate:
             self.candidate = found
             self.since = now
-        changed = [file for file in {*found, *self.current} if self.differs(file)]
+        before = self.current
+        changed = [file for file in {*found, *before} if found.get(file) != before.get(file)]
         is_away = any(not found.get(file) for file in changed)
         if not changed or now - self.since < (GONE if is_away else QUIET):
             return False
         self.current = found
         self.saved = changed
         return True
-
-    def differs(self, file: Path) -> bool:
-        """Return whether a file has other bytes than before."""
-        return self.candidate.get(file) != self.current.get(file)
 
     def has_new_constants(self) -> bool:
         """Return whether support/constants.py is another one than this process has."""

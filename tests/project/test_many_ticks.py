@@ -197,18 +197,11 @@ def share_a_bob(pend_list):
     pend_list[1]["objects"] = (axle, *pend_list[0]["objects"][1:])
 
 
-@pytest.mark.parametrize(
-    ("change", "r_param", "found"),
-    [
-        (list, R, ""),
-        (share_a_bob, R, "Two pendula have the same bob."),
-        (list, -0.5, "R_PARAM is -0.5."),
-    ],
-)
-def test_what_else_hinders_the_fast_path_is_named(change, r_param, found):
+def test_a_bob_of_two_pendula_hinders_the_fast_path():
     pend_list = hang_row(3)
-    change(pend_list)
-    assert module.obstacle(pend_list, r_param) == found
+    assert module.obstacle(pend_list) == ""
+    share_a_bob(pend_list)
+    assert module.obstacle(pend_list) == "Two pendula have the same bob."
 
 
 def test_a_run_that_is_slow_because_of_a_debugger_says_so(swing, monkeypatch):
