@@ -11,11 +11,13 @@ from unittest.mock import Mock
 import pandas as pd
 import pytest
 from programs import call
+from students import TICK
 from whole_cradles import PROGRAMS, settings_for
 
 from src import text_cradle_run
 from support.constants import DT, THETA_INIT
 from support.cradle.cradle import Cradle
+from support.cradle.player import COPY_WRITTEN
 from support.cradle.real_time import RealTime
 from support.pendulum import outwards_to_angle
 from support.start import mistake, output
@@ -143,12 +145,13 @@ def test_a_row_is_recorded_at_each_multiple_up_to_the_end(
 def test_a_recording_can_be_the_output_and_all_words_are_then_elsewhere(
     main, csv, monkeypatch, write_program
 ):
-    """A student's own, and a remark about the run."""
+    """A student's own, and remarks about the run: also of what its loop writes."""
     monkeypatch.chdir(csv.parent)
-    own = "print('words')\n    pend_list[0]['mass'] = 2\n    while"
-    write_program(PROGRAMS["single"].read_text().replace("while", own))
+    own = "from src.pds_helper import *; print('words'); pend_list[0]['mass'] = 2\n    while"
+    program = PROGRAMS["single"].read_text().replace("while", own)
+    write_program(program.replace(TICK, f"{TICK}; write_to_csv(pend_list)"))
     arguments = csv, "--seconds", "0.02", "--e", 0.5, "--record"
-    remark = "The program does not take mass from NC_FP.\n"
+    remark = f"The program does not take mass from NC_FP.\n{COPY_WRITTEN}\n"
     assert main(*arguments, "./-")[1].startswith(f"words\n{remark}3 rows, ")
     assert main(*arguments, "-") == (0, Path("-").read_text(), f"words\n{remark}")
 
