@@ -39,7 +39,7 @@ class Hits:
         self.noted: list[Hit] = []  # of the present batch
         self.tick = 0  # the number of the present tick
         self.was_asked = False  # whether a tick of this run has called the function
-        self.has_rule = False  # whether the rule holds for this kind of cradle
+        self.has_rule = cradle.cord_count == 1
         self.pendula: list[Pendulum] = []  # those with which the run began
         self.indices: dict[int, int] = {}  # of each one's id -> its index
         self.replaced = ExitStack()  # puts the function back
@@ -51,7 +51,6 @@ class Hits:
         name = cradle.collide_name
         self.tick = 0
         self.was_asked = False
-        self.has_rule = cradle.cord_count == 1
         self.pendula = [*cradle.pend_list]  # so no other dictionary gets one of these ids
         self.indices = {id(pend): index for index, pend in enumerate(self.pendula)}
         if name in names:

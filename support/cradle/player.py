@@ -7,6 +7,7 @@ the player does a frame: it shows the cradle, and plans the next ticks (plan), o
 cradle (next_cradle.want): the run is then over.
 """
 
+import gc
 from bdb import BdbQuit
 from contextlib import suppress
 from functools import partial
@@ -316,6 +317,10 @@ def run_once(file: Path, player: Player) -> None:
 
 def play(file: Path, player: Player) -> None:
     """Run a program; while functions are missing, show what there is."""
+    player.names = {}
+    player.cradle.find_functions(player.names)
+    gc.collect()  # what the last run has left can be large
+    gc.freeze()  # so the next time is quick
     program = main_module(file)
     player.names = vars(program)
     try:

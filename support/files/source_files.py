@@ -38,7 +38,7 @@ def is_source_folder(folder: str) -> bool:
 def source_files() -> list[Path]:
     """Return the Python files in src/, at any depth, and those beside it."""
     files = [*ROOT.glob("*.py"), *SRC.glob("*.py")]
-    for folder in SRC.iterdir():
+    for folder in SRC.glob("*"):
         is_environment = (folder / "pyvenv.cfg").exists()
         if folder.is_dir() and not is_environment:
             files += folder.rglob("*.py")
@@ -200,8 +200,6 @@ class LiveSource:
                 compile(self.current.get(file, b""), str(file), "exec", dont_inherit=True)
             except SyntaxError as error:
                 return f"{file.relative_to(ROOT).as_posix()}, line {error.lineno}: {error.msg}"
-            except ValueError as error:  # a zero byte
-                return f"{file.relative_to(ROOT).as_posix()}: {error}"
         return ""
 
 

@@ -33,6 +33,7 @@ from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
 from support.page.sound import Sound
 from support.page.unknown import Unknown
+from support.root import SRC
 from support.start.end import end_if_signalled
 from support.start.mistake import report_mistake
 from support.start.preview import UnwrittenError
@@ -184,7 +185,7 @@ class Viewer(Player):
 
     def tell_of_files(self, mistake: str = "") -> None:
         """Say what is not as it should be with the files; mistake is that of the last save."""
-        words = taken_names()
+        words = taken_names() if SRC.is_dir() else []
         if mistake:
             words.append(f"Saved, but not run: {mistake}.")
         if self.source.has_new_constants():

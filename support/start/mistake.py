@@ -59,13 +59,11 @@ def report_mistake(error: BaseException, player: str = "") -> str:
     """
     frames = students_frames(error, player)
     report = traceback.TracebackException.from_exception(error)
-    report.stack[:] = frames or report.stack
-    if isinstance(error, SyntaxError):  # it says the place itself
-        report.stack[:] = []
+    says_place = isinstance(error, MistakeError | OSError | SyntaxError)
+    report.stack[:] = frames if says_place else frames or report.stack
     text = "".join(report.format())
     message = " ".join("".join(report.format_exception_only()).split())
-    if isinstance(error, MistakeError):  # of a function, or of the program as a whole
-        report.stack[:] = frames
+    if isinstance(error, MistakeError):
         message = str(error)
         text = "".join([*report.stack.format(), message, "\n"])
     if frames:
@@ -99,7 +97,7 @@ def report_endless_loop(error: BaseException, player: str = "") -> None:
     if not frames or not getattr(error, "is_late", True):
         return
     names = [frame.name for frame in reversed(frames) if frame.name != "<module>"]
-    functions = " or ".join(dict.fromkeys(names))  # each once
+    functions = " or ".join(dict.fromkeys(names)) or "the program"  # each once
     last = frames[-1]
     place = f"{Path(last.filename).name}, line {last.lineno}"
     print(f"{place}: does a loop in {functions} never end?", file=sys.stderr)

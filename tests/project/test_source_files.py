@@ -128,7 +128,6 @@ GO = "src/go.py"
 BACK = write(GO, "x")
 STEPS = {  # what is done, each step 0.4 s after the one before; and how many saves it is
     "a touch": (0, touch),
-    "the same text": (0, BACK),
     "new text with the old time": (1, keep_time),
     "away for a moment": (0, remove(GO), BACK),
     "empty for a moment": (0, write(GO, ""), BACK),
@@ -136,12 +135,11 @@ STEPS = {  # what is done, each step 0.4 s after the one before; and how many sa
     "made and removed": (0, write("src/new.py"), remove("src/new.py")),
     "a formatter saves again": (1, write(GO), write(GO, "tidy")),
     "removed": (1, remove(GO)),
-    "emptied": (1, write(GO, "")),
+    "src away": (1, lambda root: (root / "src").rename(root / "away")),
     "a file beside src": (1, write("new.py")),
     "a file in a folder of src": (1, write("src/deep/new.py")),
     "the constants": (1, write("support/constants.py")),
     "another file of support": (0, write("support/other.py")),
-    "no Python": (0, write("src/notes.txt")),
     "an environment": (0, write("src/deep/pyvenv.cfg"), write("src/deep/new.py")),
     "a folder with such a name": (0, lambda root: (root / "src/new.py").mkdir()),
 }
