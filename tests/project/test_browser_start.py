@@ -113,6 +113,7 @@ start("visualize_cradle_run", "--no-browser")
 END"""
 
 
+@pytest.mark.slow
 def test_in_a_session_each_start_is_fresh_and_a_closed_tab_gives_the_prompt_back(program):
     """As in IPython: with changed files, with and without VPython.
 

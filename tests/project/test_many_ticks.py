@@ -70,7 +70,7 @@ def test_cradles_end_in_the_same_bits_as_after_single_ticks(pendula, call):
     assert same_hits(pendula, **{"dt": 0.0005, "ticks": 3000, **call}) > 0
 
 
-@random_examples(20, 80, pendula=pendulum_rows(), call=CALLS)
+@random_examples(10, 80, pendula=pendulum_rows(), call=CALLS)
 def test_random_cradles_end_in_the_same_bits_as_after_single_ticks(pendula, call):
     same_hits(pendula, **call)
 
