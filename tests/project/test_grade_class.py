@@ -90,6 +90,7 @@ IN_CONTAINERS = pytest.mark.slow, pytest.mark.xdist_group("engine")
 
 
 @on_posix
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("is_contained", "name"),
     [(False, "SIGINT"), pytest.param(True, "SIGTERM", marks=IN_CONTAINERS)],
