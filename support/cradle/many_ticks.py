@@ -46,7 +46,7 @@ def texts_of(names: dict[str, Any]) -> list[str]:
 
 @cache
 def digest_of(*texts: str) -> str:
-    """Return the digest of the code in these texts, whatever its comments and line ends."""
+    """Return the digest of the code in these texts; comments and line ends do not change it."""
     code = []
     for text in texts:
         for token in generate_tokens(StringIO(text).readline):

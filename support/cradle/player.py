@@ -202,7 +202,7 @@ class Player:
             self.note(f"The program does not take {' and '.join(own)} from NC_FP.")
 
     def look_at_functions(self) -> None:
-        """Find out whether the fast path can do the ticks; say what hinders it, but no change."""
+        """Find out whether the fast path can do the ticks; say why not, if the code is shipped."""
         self.is_fast = False
         if FAST_PATH and FAST_PATH.is_shipped(self.names):
             obstacle = FAST_PATH.obstacle(self.cradle.pend_list)

@@ -13,7 +13,7 @@ from support.simulation import OverError
 from support.start.mistake import is_in_src, place_of
 
 LOOK = 0.5  # s from look to look
-AGAIN = 0.02  # s from look to look while a function is to be stopped
+AGAIN = 0.02  # s from look to look while it stops a function
 TOO_LONG = 3.0  # s after which a function that has not returned is named
 
 
@@ -41,7 +41,7 @@ class Watch:
         # Of functions of src/ that have not returned since then, the innermost one first
         self.frames: list[FrameType] = []
         self.words = ""
-        self.must_stop = False  # whether they are to be stopped
+        self.must_stop = False  # whether it stops them
         self.is_asking = False  # whether a program waits for the terminal
         self.has_ended = threading.Event()  # whether nothing is to be watched any more
 

@@ -177,7 +177,7 @@ def test_a_function_that_is_not_written_waits_and_so_do_written_functions_that_u
     assert messages == waits
 
 
-# A function, what stands in it, and whether a student has written code beside the raise
+# A function, its body, and whether there is code beside the raise
 STUBS = [
     ("extract_and_convert", "df = pd.read_csv(relative_filepath)\nRAISE", False),
     ("angle_update", "'What it returns.'\nRAISE", False),

@@ -126,7 +126,7 @@ def keep_time(root):
 
 GO = "src/go.py"
 BACK = write(GO, "x")
-STEPS = {  # what is done, each step 0.4 s after the one before; and how many saves it is
+STEPS = {  # the number of saves, and the steps, one each 0.4 s
     "a touch": (0, touch),
     "new text with the old time": (1, keep_time),
     "away for a moment": (0, remove(GO), BACK),
