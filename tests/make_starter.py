@@ -5,6 +5,7 @@ tests.
 """
 
 import ast
+import json
 import os
 import shutil
 import sys
@@ -16,6 +17,7 @@ if __name__ == "__main__":
 
 from grading.begin import ROOT
 
+from grading.given import GIVEN_FUNCTIONS
 from grading.handout import FUNCTIONS, GIVEN, IMPORTS, SUITES
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
@@ -76,6 +78,7 @@ def make_starter(folder) -> None:
     for file in files:
         if file.as_posix() in STUDENTS_FILES:
             texts[file] = for_students(ROOT / file)
+    texts[Path(GIVEN_FUNCTIONS)] = given_functions(texts)
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
         for file in files:
@@ -153,6 +156,21 @@ def for_students(path) -> str:
     if "__main__" not in source:
         source = source.replace('"""\n\n', f'"""\n\n{NO_PROGRAM}', 1)
     return source
+
+
+def given_functions(texts) -> str:
+    """Return JSON: [file, source] of each function that src/ provides, by its name.
+
+    texts has the starter's files of src/, by their paths.
+    """
+    found = {}
+    for file, text in texts.items():
+        if file.as_posix() in STUDENTS_FILES:
+            for statement in ast.parse(text).body:
+                name = getattr(statement, "name", "")
+                if name in GIVEN - STUDENTS_FUNCTIONS:
+                    found[name] = file.as_posix(), ast.get_source_segment(text, statement)
+    return json.dumps(found, indent=4, sort_keys=True) + "\n"
 
 
 class Gap(NamedTuple):
