@@ -5,14 +5,15 @@ if __name__ == "__main__":
 
     refuse_to_run()
 
-from math import cos, pi, sin
+from math import pi, sin
 
 from vpython import vector
 
-from grading.cradles import hang, LEFT_OVER, left_over, R, see_each, shapes, touching
+from grading.cradles import ends_like, hang, LEFT_OVER, left_over, R, see_each, shapes, touching
 from grading.grader import check, expect, steps
 from grading.messages import Expected
 from grading.subject import Each, Subject
+from support.pendulum import arm
 
 steps(
     "angle_update",
@@ -186,22 +187,27 @@ def test_bobs_and_cords_move():
     pend_list, after = swinging_row(3)
     objects = [pend["objects"] for pend in pend_list]
 
-    def see(_):
-        return [(axle.pos, bob.pos, ends(cord)) for axle, bob, cord in objects]
-
-    def ends(cord):  # a student may draw it from either end
-        return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: end.y)
-
-    expected = []
+    places = []  # of the axle and the bob
     parts = []
     for (axle, bob, cord), (_, theta) in zip(objects, after, strict=True):
-        lower = axle.pos + vector(0.5 * sin(theta), -0.5 * cos(theta), 0)
-        expected.append((vector(axle.pos), lower, [lower, vector(axle.pos)]))
+        places.append((vector(axle.pos), axle.pos + arm(theta, 0.5)))
         parts += [axle, bob, cord]
-    old = shapes()
-    expect_swing(
-        pend_list, expected=expected, see=see, what=Each(("axle", "bob", "ends of the cord"))
+
+    def see(_):
+        found = []
+        for (axle, bob, cord), (upper, lower) in zip(objects, places, strict=True):
+            found.append((axle.pos, bob.pos, *ends_like(cord, upper, lower)))
+        return found
+
+    names = (
+        "position of the axle",
+        "position of the bob",
+        "end at the axle of the cord",
+        "end at the bob of the cord",
     )
+    what = Each(names, name="axle, bob and ends of the cord of each pendulum")
+    old = shapes()
+    expect_swing(pend_list, expected=[pair * 2 for pair in places], see=see, what=what)
     expect_swing(pend_list, see=lambda _: left_over(old, parts), **LEFT_OVER)
 
 
@@ -209,40 +215,32 @@ def test_bobs_and_cords_move():
 def test_a_swing_changes_nothing_else():
     """The pend_dict is updated."""
     pend_list, _ = swinging_row(3)
-    for pend in pend_list:
-        pend["objects"][1].radius = 0.02  # so the bobs do not touch
-    pendula = [*pend_list]
-    objects = [pend["objects"] for pend in pend_list]
+    bobs = [pend["objects"][1] for pend in pend_list]
+    for bob in bobs:
+        bob.radius = 0.02  # so the bobs do not touch
+    pendula = [*map(as_before, pend_list)]
+    parts = [tuple(map(as_before, pend["objects"])) for pend in pend_list]
 
     def values(_=None):
         found = []
-        for pend, (_, bob, _) in zip(pend_list, objects, strict=True):
+        for pend, bob in zip(pend_list, bobs, strict=True):
             kept = {key: pend[key] for key in ("mass", "e", "color", "texture")}
-            found.append({**kept, "radius": bob.radius})
+            found.append({**kept, "radius of the bob": bob.radius})
         return found
 
-    def are_same(now, old):
-        return [*map(id, now)] == [*map(id, old)]
-
-    def are_same_pendula(_):
-        return are_same(pend_list, pendula)
-
-    def have_same_objects(_):
-        return all(map(are_same, (pend["objects"] for pend in pend_list), objects))
-
+    expect_swing(pend_list, expected=pendula, see=lambda _: pend_list, what=Each(()))
     expect_swing(pend_list, expected=values(), see=values, what=Each(()))
     expect_swing(
         pend_list,
-        expected=True,
-        see=are_same_pendula,
-        what=Subject("that the list has the same pendula in the same order"),
+        expected=parts,
+        see=lambda _: [tuple(pend["objects"]) for pend in pend_list],
+        what=Each(("axle", "bob", "cord")),
     )
-    expect_swing(
-        pend_list,
-        expected=True,
-        see=have_same_objects,
-        what=Subject("that all pendula have the same objects"),
-    )
+
+
+def as_before(thing):
+    """Return the expectation of this dictionary, or of this object."""
+    return Expected("the same one as before", lambda now: now is thing)
 
 
 @check("full_swing_update")

@@ -7,7 +7,7 @@ if __name__ == "__main__":
 
 from vpython import box, color, cylinder, sphere, textures, vector
 
-from grading.cradles import csv_of, LEFT_OVER, left_over, MIXED, R, shapes
+from grading.cradles import csv_of, ends_like, LEFT_OVER, left_over, MIXED, R, shapes
 from grading.csv_files import ASSISTANTS, FILES, files, LOOKS, MANY, ONE, SEVEN
 from grading.grader import check, expect, steps, WrongError
 from grading.messages import Expected
@@ -248,20 +248,18 @@ def test_objects_are_axle_bob_and_cord():
         are_right = all(map(isinstance, objects, (box, sphere, cylinder)))
         return are_right and all(part.visible for part in objects)
 
-    def are_own(found):
-        return len({id(bob) for _, bob, _ in found}) == len(found)
-
     def are_right(found):
-        return all(map(are_parts, found)) and are_own(found)
+        bobs = {id(bob) for _, bob, _ in found}
+        return all(map(are_parts, found)) and len(bobs) == len(found)
 
     def are_shared(found):
-        return are_parts(found[0]) and found[0][1] is found[-1][1]
+        return are_parts(found[0]) and found.count(found[0]) == len(found)
 
     expect_cradle(
         lambda pend: pend["objects"],
         Each(("objects",)),
-        Expected("an axle, a bob and a cord for each", are_right),
-        results=[(are_shared, "All pendula have the same objects. Make them inside the loop.")],
+        Expected("a tuple of its own axle, bob and cord", are_right),
+        results=[(are_shared, "All pendula have the same objects. Make new ones for each.")],
     )
 
     def strays(pend_list):
@@ -306,28 +304,28 @@ def test_bobs_hang_from_their_axles():
         axle, bob, _ = pend["objects"]
         return bob.pos - axle.pos
 
-    def are_lifted(found):
-        places = {(round(place.x, 6), round(place.y, 6)) for place in found}
-        return len(places) == 1 and 0.2 < found[1].x < R
-
     what = Each(("position from the axle (m)",), "bob")
     bobs = [arm(theta, R) for theta in (0.6, 0, 0)]
     lifted = (
-        "All bobs are lifted. make_pendulum must get the theta of each pendulum, and not "
-        "theta_init each time."
+        "All bobs are lifted. make_pendulum must get the theta of each pendulum, which is "
+        "theta_init only for the first one."
     )
     hangs = "make_pendulum hangs the bob at the angle theta that it gets."
-    expect_cradle(place, what, bobs, results=[(are_lifted, lifted)], help=hangs)
+    expect_cradle(place, what, bobs, results=[(bobs[:1] * 3, lifted)], help=hangs)
     long_bobs = [arm(theta, 1.0) for theta in (-0.3, 0, 0)]
     expect_cradle(place, what, long_bobs, r_param=1.0, theta_init=-0.3)
 
-    def ends(pend):  # from the axle, the upper one first
-        axle, _, cord = pend["objects"]
-        both = [cord.pos - axle.pos, cord.pos + cord.axis - axle.pos]
-        return sorted(both, key=lambda end: -end.y)
+    def ends(pend):
+        axle, bob, cord = pend["objects"]
+        upper, lower = ends_like(cord, axle.pos, bob.pos)
+        return upper - axle.pos, lower - axle.pos
 
-    cords = [[vector(0, 0, 0), bob] for bob in bobs]
-    expect_cradle(ends, Each(("ends of the cord",)), cords)
+    of_cord = Each(
+        ("end at the axle (m from it)", "end at the bob (m from the axle)"),
+        "cord",
+        "ends of each cord (m from its axle)",
+    )
+    expect_cradle(ends, of_cord, [(vector(0, 0, 0), bob) for bob in bobs])
     radius = make_pendulum(vector(0, 0, 0), R, 0, vector(1, 1, 1), None)[1].radius
     expect_cradle(
         lambda pend: pend["objects"][1].radius, Each(("radius (m)",), "bob"), [radius] * 3

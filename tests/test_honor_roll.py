@@ -9,7 +9,7 @@ from math import pi
 
 from vpython import box, cylinder, sphere, textures, vector
 
-from grading.cradles import LEFT_OVER, left_over, shapes
+from grading.cradles import ends_like, LEFT_OVER, left_over, shapes, within
 from grading.grader import check, expect, steps
 from grading.messages import Expected
 from grading.subject import Several, Subject
@@ -108,31 +108,42 @@ def test_bobs_are_where_the_angles_say():
 def test_cords_hold_the_bobs():
     """The second pendulum (cord2 and bob2) is attached to the first one."""
 
+    joint = AXLE + arm(0.7, CORD)
+    end = joint + arm(1.1, CORD)
+
     def see(objects):
         _, _, cord1, _, cord2 = objects
-        return [ends(cord1), ends(cord2)]
+        return (*ends_like(cord1, AXLE, joint), *ends_like(cord2, joint, end))
 
-    def ends(cord):  # the upper one first
-        return sorted([cord.pos, cord.pos + cord.axis], key=lambda end: -end.y)
-
-    joint = AXLE + arm(0.7, CORD)
-    expected = [[AXLE, joint], [joint, joint + arm(1.1, CORD)]]
-    what = Several((Subject("ends", "cord1"), Subject("ends", "cord2")))
-    check_double_pendulum(see, what, 0.7, 0.4, expected)
+    what = Several(
+        (
+            Subject("end at the axle", "cord1"),
+            Subject("end at the bob", "cord1"),
+            Subject("end at the upper bob", "cord2"),
+            Subject("end at the lower bob", "cord2"),
+        ),
+        "ends of cord1, ends of cord2",
+    )
+    check_double_pendulum(see, what, 0.7, 0.4, (AXLE, joint, joint, end))
 
 
 @check("make_double_pendulum")
 def test_both_bobs_have_the_looks_that_are_given():
     """To customize the bobs, we use VPython's textures and colors."""
 
-    def see(objects):
-        return [(bob.color, bob.texture, bob.radius, bob.visible) for bob in objects[1::2]]
+    looks = "color", "texture", "radius", "visible"
 
+    def see(objects):
+        bobs = objects[1::2]
+        return tuple(getattr(bob, look) for bob in bobs for look in looks)
+
+    what = Several(
+        tuple(Subject(look, bob) for bob in ("bob1", "bob2") for look in looks),
+        f"{', '.join(looks)} of bob1, then of bob2",
+    )
     radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
     for texture in (textures.wood, None):
-        expected = [(RED, texture, radius, True)] * 2
-        looks = "color/texture/radius/visible"
-        what = Several((Subject(looks, "bob1"), Subject(looks, "bob2")))
+        expected = (RED, texture, radius, True) * 2
         check_double_pendulum(see, what, 0.7, 0.4, expected, texture=texture)
 
 
@@ -158,6 +169,18 @@ ACCELERATIONS = [
 ]
 
 
+PHI = "phi counts from the direction of the upper cord, and omega_phi is its rate."
+EVENLY = (
+    "phi is 0, or full turns: both cords are in one line. There is no gravity, so the pendulum "
+    "turns evenly."
+)
+
+
+def expect_update(*arguments, help="", **options):
+    """Check the result of double_angle_update, as expect does."""
+    expect("double_angle_update", *arguments, help=f"{help} {PHI}".lstrip(), **options)
+
+
 @check("double_angle_update")
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
@@ -165,29 +188,22 @@ def test_both_angles_are_updated():
     rest = "With dt = 0, nothing moves."
     counted = (
         "This is the result if phi is measured from straight down. It is measured from the "
-        "upper cord; "
-        "omega_phi, too."
+        "upper cord; omega_phi, too."
     )
     results = [((3.0, 1.0, 0.6, 0.2), counted)]
-    expect(
-        "double_angle_update", *state, LENGTH, 0.0, G, expected=state, help=rest, results=results
-    )
+    expect_update(*state, LENGTH, 0.0, G, expected=state, help=rest, results=results)
     slow = 4e-8, -4e-8, 0.6, -0.4
-    expect("double_angle_update", *slow, LENGTH, 0.0, G, expected=slow, help=rest)
-    straight = 3.0, 0.0, 0.6, 0.0  # both cords in one line: without gravity, it turns evenly
-    turned = 3.0, 0.0, 0.9, 0.0
-    evenly = "Both cords are in one line, and there is no gravity: the pendulum turns evenly."
-    expect("double_angle_update", *straight, LENGTH, 0.1, 0.0, expected=turned, help=evenly)
-    # Whole numbers
-    expect("double_angle_update", 3, 0, 1, 0, LENGTH, 0.1, 0.0, expected=(3.0, 0.0, 1.3, 0.0))
+    expect_update(*slow, LENGTH, 0.0, G, expected=slow, help=rest)
     for omega, before, after, phi in (
+        (3.0, 0.6, 0.9, 0.0),
+        (3, 1, 1.3, 0),  # whole numbers
         (20.0, 11.0, 13.0, 2 * pi),
         (20.0, 11.0, 13.0, 4 * pi),
         (20.0, 11.0, 13.0, -6 * pi),
         (-20.0, -11.0, -13.0, 0.0),
     ):
         turned = omega, 0.0, after, phi
-        expect("double_angle_update", omega, 0.0, before, phi, LENGTH, 0.1, 0.0, expected=turned)
+        expect_update(omega, 0, before, phi, LENGTH, 0.1, 0.0, expected=turned, help=EVENLY)
 
 
 @check("double_angle_update")
@@ -212,8 +228,7 @@ def check_accelerations(state, expected, length, g):
     omega_theta, omega_phi, theta, phi = state
     angles = f"alpha = {theta:g}, beta = {theta + phi:g}"
     rates = f"their rates are {omega_theta:g} and {omega_theta + omega_phi:g}"
-    expect(
-        "double_angle_update",
+    expect_update(
         *state,
         length,
         DT,
@@ -254,19 +269,9 @@ def test_a_tenth_of_a_second_of_swinging():
     for (theta, phi, m1, m2), end in SWINGS:
         # The steps are short enough for every method of the first order
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, m1, m2
-        expect(
-            "double_angle_update",
+        expect_update(
             *arguments,
             expected=tuple(within(0.005, value) for value in end),
             times=200,
             right=[("k", 9.81 / LENGTH), ("mu", m2 / (m1 + m2))],
         )
-
-
-def within(distance, value) -> Expected:
-    """Return the expectation of a number near a value."""
-    return Expected(
-        f"within {distance:g} of {value:.3f}",
-        lambda found: abs(found - value) < distance,
-        like=value,
-    )

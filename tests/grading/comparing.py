@@ -118,7 +118,6 @@ def both(what: What | None, found: Any, expected: Any) -> list[tuple[str, list[s
 
     For long lists, these are the lines of the first wrong element.
     """
-    digits = digits_of(found, expected)
     name = f"{what or ''}"
     if isinstance(found, list) and isinstance(expected, list):
         if len(found) != len(expected):
@@ -130,6 +129,7 @@ def both(what: What | None, found: Any, expected: Any) -> list[tuple[str, list[s
             name = f"{name} at index {i}".lstrip()
             found = found[i]
             expected = expected[i]
+    digits = digits_of(found, expected)
     return [("came back", about(name, found, digits)), ("expected", about(name, expected, digits))]
 
 
@@ -154,8 +154,6 @@ def mistake_in(what: What, found: Any, expected: Any) -> Mistake:
     """Return the first mistake in found."""
     subject = what if isinstance(what, Subject) else Subject(is_result=f"{what}" == RESULT)
     like = expected.like if isinstance(expected, Expected) else expected
-    if expected is True and isinstance(found, bool):
-        return Mistake(f"It is not true {what}.", NOTHING)
     if like is not None and form_of(found) != form_of(like):
         sentence = f"{what} is {form_of(found)}, not {form_of(like)}."
         return Mistake(sentence, subject, NOT_CALLED if callable(found) else "")

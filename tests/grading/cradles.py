@@ -5,6 +5,7 @@ from typing import Any
 
 from vpython import color, scene, vector
 
+from grading.messages import Expected
 from grading.subject import Each, Subject
 from support.pendulum import discarded, make_pendulum
 
@@ -75,6 +76,27 @@ def touching(*omegas: float, radius: float = R / 8) -> list[dict]:
     for pend, omega in zip(pend_list, omegas, strict=True):
         pend["omega"] = omega
     return pend_list
+
+
+def ends_like(cord: Any, first: vector, last: vector) -> tuple[vector, vector]:
+    """Return the ends of a cord, in the order of the two that are expected.
+
+    A student may draw it from either end. If one end is wrong, the other one finds its place.
+    """
+    start = vector(cord.pos)
+    end = start + cord.axis
+    in_order = min((start - first).mag, (end - last).mag)
+    turned = min((start - last).mag, (end - first).mag)
+    return (start, end) if in_order <= turned else (end, start)
+
+
+def within(distance: float, value: float) -> Expected:
+    """Return the expectation of a number near a value."""
+    return Expected(
+        f"within {distance:g} of {value:g}",
+        lambda found: abs(found - value) < distance,
+        like=value,
+    )
 
 
 def shapes() -> set[int]:

@@ -5,14 +5,28 @@ from typing import Any, NamedTuple, TypeAlias
 RESULT = "The result"
 
 # What the elements of a list are called
-ELEMENTS = {"pend_list": "pendulum", "axle": "axle", "bob": "bob"}
+ELEMENTS = {"pend_list": "pendulum", "axle": "axle", "bob": "bob", "cord": "cord"}
+
+OBJECTS = "axle", "bob", "cord"  # bob1, too
+# The attribute of an object that a key means, by its first words
+ATTRIBUTES = {
+    "position": "pos",
+    "color": "color",
+    "texture": "texture",
+    "radius": "radius",
+    "visible": "visible",
+    "end at the axle": "pos",
+    "end at the upper bob": "pos",
+    "end at": "axis",
+}
 
 
 class Subject(NamedTuple):
     """A value: that of a key of an owner, the owner itself, or a value with a name of its own.
 
     Subject("theta", "pend_list", 0) is theta of pend_list[0], Subject(owner="pend_list") is
-    pend_list, and Subject("momentum") the momentum.
+    pend_list, and Subject("momentum") the momentum. The owner can be an object, as in
+    Subject("color", "bob", 0), or the key names one: Subject("radius of the bob", "pend1").
     """
 
     key: str = ""
@@ -25,6 +39,21 @@ class Subject(NamedTuple):
             return RESULT
         whole = self.owner if self.list_index is None else f"{self.owner}[{self.list_index}]"
         return f"{self.key} of {whole}" if self.key and whole else self.key or whole
+
+    @property
+    def object_name(self) -> str:
+        """The object that has the attribute, such as "bob" or "cord2", or ""."""
+        name = self.key.partition(" of the ")[2] or self.owner
+        return name if name.startswith(OBJECTS) else ""
+
+    @property
+    def attribute(self) -> str:
+        """The attribute of an object, such as "pos"; "" for a key of a dictionary."""
+        if self.object_name:
+            for words, attribute in ATTRIBUTES.items():
+                if self.key.startswith(words):
+                    return attribute
+        return ""
 
     def element(self, i: int) -> "Subject":
         """Return the subject of an element."""
@@ -55,8 +84,11 @@ class Each(NamedTuple):
 
     keys: tuple[str, ...]
     owner: str = "pend_list"
+    name: str = ""  # of all of them
 
     def __str__(self) -> str:
+        if self.name:
+            return self.name
         each = f"each {ELEMENTS[self.owner]}"
         return f"{' and '.join(self.keys)} of {each}" if self.keys else each
 

@@ -18,6 +18,7 @@ from grading.handout import FUNCTIONS, PROGRAM
 from grading.messages import Call, PlainFile
 from grading.outcomes import FAILED, PASSED, WAITING
 from grading.raised import own_places
+from grading.subject import Subject
 
 # A sentence, the call, the result, and the expected one.
 FORM = re.compile(
@@ -119,6 +120,57 @@ def test_what_is_wrong_is_said_as_it_is(solve):
     solve("make_newton_cradle", spoilt)
     message = failures("make_newton_cradle")[0].message
     assert message.startswith("wrong       pend_list[0] is None, not a dictionary.")
+
+
+# Mistakes in the places of objects, and what a sentence says about the first one that is wrong
+PLACES = {
+    ("make_double_pendulum", "cord2.axis = vector(0.1, 0.4, 0)"): (
+        "end at the lower bob of cord2 is vector(0.722109, 0.117579, 0), not vector(1.06771"
+    ),
+    ("make_double_pendulum", "cord2.pos = cord2.pos + cord2.axis; cord2.axis = vector(1, 1, 0)"): (
+        "end at the upper bob of cord2 is vector(2.06771, 0.490781, 0), not vector(0.622109"
+    ),
+    ("make_double_pendulum", "bob2.visible = False"): "visible of bob2 is False, not True.",
+    ("make_newton_cradle", "pend['objects'][2].axis = vector(0.1, 0.3, 0)"): (
+        "end at the bob (m from the axle) of cord[2] is vector(0.1, 0.3, 0), not vector(0, -0.4"
+    ),
+    ("full_swing_update", "pend['objects'] = pend_list[0]['objects']"): (
+        "axle of pend_list[1] is not the same one as before."
+    ),
+    ("handle_two_bobs", "bob2.pos.x += 0.01"): (
+        "position of the bob of pend2 is vector(1.08999, -3.9992, 0), not vector(1.07999"
+    ),
+}
+LAST = {
+    "make_newton_cradle": "return pend_list",
+    "make_double_pendulum": "return (",
+    "full_swing_update": "swing_update(",
+    "handle_two_bobs": "pend1['omega'] = new_omega1",
+}
+
+
+@pytest.mark.parametrize(("function", "line"), PLACES)
+def test_a_wrong_place_is_said_with_its_object(solve, function, line):
+    """Of a cord, with the wrong end, from whichever end it is drawn."""
+    solve(function, (LAST[function], f"{line}; {LAST[function]}"))
+    sentences = [" ".join(outcome.message.split()) for outcome in failures(function)]
+    assert any(f"wrong {PLACES[function, line]}" in sentence for sentence in sentences), sentences
+
+
+@pytest.mark.parametrize(
+    ("subject", "object_name", "attribute"),
+    [
+        (Subject("color", "bob", 0), "bob", "color"),
+        (Subject("color", "pend_list", 0), "", ""),
+        (Subject("radius of the bob", "pend1"), "bob", "radius"),
+        (Subject("position from the axle (m)", "bob", 1), "bob", "pos"),
+        (Subject("end at the upper bob", "cord2"), "cord2", "pos"),
+        (Subject("end at the bob of the cord", "pend_list", 2), "cord", "axis"),
+        (Subject("momentum"), "", ""),
+    ],
+)
+def test_a_key_and_an_attribute_are_two_things(subject, object_name, attribute):
+    assert (subject.object_name, subject.attribute) == (object_name, attribute)
 
 
 # --- messages ------------------------------------------------------------------------------------
