@@ -9,6 +9,7 @@ from contextlib import suppress
 from math import pi
 
 from grading.check_player import CheckPlayer
+from grading.checks import check
 from grading.comparing import same
 from grading.cradles import (
     csv_of,
@@ -23,45 +24,30 @@ from grading.cradles import (
     touching,
     within,
 )
-from grading.grader import check, expect, runner, steps, usable_result
+from grading.grader import expect, running, usable_result
 from grading.handout import PROGRAM
 from grading.messages import Expected
 from grading.subject import Each, Several, Subject
-from line_by_line.words import plural, text_of
+from grading.words import plural, text_of
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import show_pendulum
 from support.root import ROOT
 
-steps(
-    "newton_cradle_tick",
-    "full_swing_update once; then a loop, in which handle_two_bobs gets each pendulum and the next "
-    "one.",
-    "for i in range(len(books)):  # i is 0, then 1, ...; books[i] is a book",
-    "sort_pages(book, 3)  # nothing comes back: the call changes the book",
-)
-steps(
-    PROGRAM,
-    "make_newton_cradle makes pend_list, once, before the while loop; in the loop, "
+STEPS = {
+    "newton_cradle_tick": "full_swing_update once; then a loop, in which handle_two_bobs gets each "
+    "pendulum and the next one.",
+    PROGRAM: "make_newton_cradle makes pend_list, once, before the while loop; in the loop, "
     "newton_cradle_tick moves it.",
-    "books = read_all(path)  # calls a function, and stores its result",
-    "sort_pages(book, 3)  # nothing comes back: the call changes the book",
-)
+}
 
 
-def check_tick(pend_list, expected, *, dt=1e-9, g=9.81, help="", results=()):
-    """Check omega of each pendulum after a tick, with this dt (s) without visible motion."""
-    options = see_each(pend_list, "omega")
-    expect(
-        "newton_cradle_tick",
-        pend_list,
-        R,
-        dt,
-        g,
-        expected=expected,
-        help=help,
-        results=results,
-        **options,
-    )
+def check_tick(pend_list, expected, dt=1e-9, g=9.81, **options):
+    """Check omega of each pendulum after a tick, with this dt (s) without visible motion.
+
+    options are those of expect.
+    """
+    options |= see_each(pend_list, "omega")
+    expect("newton_cradle_tick", pend_list, R, dt, g, expected=expected, **options)
 
 
 def check_row(*omegas):
@@ -220,14 +206,10 @@ def test_the_cradle_is_made():
         return pend["objects"][2].axis.mag if "objects" in pend else None
 
     def is_made(found):
-        if has_angle(found, THETA_INIT):
-            return True
-        _, (_, theta) = swings(1)  # a loop with rate may do a tick before it
-        return has_angle(found, theta)
-
-    def has_angle(found, theta):
-        others = [(0, abs(R_PARAM))] * (len(found) - 1)
-        return same(found, [(theta, abs(R_PARAM)), *others])
+        cord = abs(R_PARAM)
+        others = [(0, cord)] * (len(found) - 1)
+        thetas = [theta for _, theta in swings(1)]  # a loop with rate may do a tick before it
+        return any(same(found, [(theta, cord), *others]) for theta in thetas)
 
     advice = [
         (
@@ -293,35 +275,32 @@ def test_the_cradle_ticks():
 @check(PROGRAM)
 def test_a_new_run_reads_the_csv_again():
     """Creates the Newton's cradle visualisation from data in the CSV file."""
-    files = [*runner.shipped.parent.glob("*.csv")]  # NC_FP, and your own
-    real = numbers_in(ROOT.glob("*.csv"))  # the program may have a path of its own
-    rows = MIXED[:2]
-    while len(rows) in real:  # or a cradle that is kept would look like a real one
-        rows.append(MIXED[2])
+    files = [*running.get().code.shipped.parent.glob("*.csv")]  # NC_FP, and your own
 
-    def write():
+    def write(rows):
         for file in files:
             file.write_text(csv_of(rows))
 
-    numbers = []
+    cradles = []
     are_those_of_a_file = []
 
     def change(pend_list):
-        numbers.append(len(pend_list))
-        known = real | numbers_in(files)  # the program may have written one
-        are_those_of_a_file.append(numbers[-1] in known)
-        rows.append(MIXED[2])
-        write()
+        cradles.append([*pend_list])
+        # The program may have written a file, or have a path of its own
+        known = numbers_in([*files, *ROOT.glob("*.csv")])
+        are_those_of_a_file.append(len(pend_list) in known)
+        write(MIXED)
 
-    write()
+    def are_new(_):
+        first, second = cradles
+        return are_those_of_a_file == [True, True] and first[0] is not second[0]
+
+    write(MIXED[:2])
     expect(
         PROGRAM,
         CheckPlayer(1, change),
-        expected=Expected(
-            f"{[len(rows), len(rows) + 1]}, as many as NC_FP then has",
-            lambda _: are_those_of_a_file == [True, True],
-        ),
-        see=lambda _: numbers,
+        expected=Expected("[2, 3], as many as NC_FP then has", are_new),
+        see=lambda _: [*map(len, cradles)],
         what=Subject("number of pendula in each run"),
         times=2,
     )
@@ -332,7 +311,8 @@ def numbers_in(files) -> set[int]:
     found = set()
     for file in files:
         with suppress(OSError):  # another program may have it open
-            found.add(len(file.read_text(errors="replace").splitlines()) - 1)
+            lines = file.read_text(errors="replace").splitlines()
+            found.add(len([line for line in lines if line.strip()]) - 1)
     return found
 
 

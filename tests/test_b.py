@@ -10,26 +10,19 @@ from math import pi
 
 from vpython import vector
 
+from grading.checks import check
 from grading.cradles import hang
-from grading.grader import check, expect, steps, usable_result
+from grading.grader import expect, usable_result
 from grading.subject import Several, Subject
-from line_by_line.words import text_of
+from grading.words import text_of
 from support.pendulum import contact_distance
 
-steps(
-    "handle_collision",
-    "both omegas become linear velocities; the two formulas of the appendix use these, never each "
-    "other; both results become angular again.",
-    "area = 2 * (width + height)  # each product needs its *",
-    "return low, high  # gives two values back, in this order",
-)
-steps(
-    "handle_two_bobs",
-    "mass, omega and bob of both, e of pend1; if the bobs are close, handle_collision gives the "
-    "new omegas; each pendulum stores its own.",
-    "title, pages, price = book['facts']  # takes a tuple apart",
-    "low, high = prices(book)  # stores the two results of one call",
-)
+STEPS = {
+    "handle_collision": "both omegas become linear velocities; the two formulas of the appendix "
+    "use these, never each other; both results become angular again.",
+    "handle_two_bobs": "mass, omega and bob of both, e of pend1; if the bobs are close, "
+    "handle_collision gives the new omegas; each pendulum stores its own.",
+}
 
 # The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the
 # appendix.
@@ -128,7 +121,7 @@ for mistake, first, second in FORMULAS:
     ]
 
 
-def check_hit(expected, e, omega1, omega2, m1, m2, r_param, results=()):
+def check_hit(expected, e, omega1, omega2, m1, m2, r_param, **options):
     """Check the result of handle_collision.
 
     A student reads the parts of the formulas, which follow from the result.
@@ -145,7 +138,7 @@ def check_hit(expected, e, omega1, omega2, m1, m2, r_param, results=()):
         ("v2_new", r_param * expected[1]),
     ]
     call = "handle_collision", e, omega1, omega2, m1, m2, r_param
-    expect(*call, expected=expected, right=right, results=results)
+    expect(*call, expected=expected, right=right, **options)
 
 
 @check("handle_collision")
@@ -171,25 +164,23 @@ def test_the_cord_length_does_not_matter():
 @check("handle_collision")
 def test_laws_of_the_collision():
     """The system should conserve kinetic energy and linear momentum."""
+    momentum = Subject("momentum m1 new_omega1 + m2 new_omega2")
+    energy = Subject("energy m1 new_omega1^2 + m2 new_omega2^2")
     for m1, m2 in ((1.0, 1.0), (0.2, 5.0), (7.0, 0.1)):
-
-        def momentum(omegas, m1=m1, m2=m2):
-            return m1 * omegas[0] + m2 * omegas[1]
-
-        def energy(omegas, m1=m1, m2=m2):
-            return m1 * omegas[0] ** 2 + m2 * omegas[1] ** 2
-
-        what = Subject("momentum m1 new_omega1 + m2 new_omega2")
         for e in (0, 0.3, 1):
-            check_law(momentum, what, e, m1, m2)
-        check_law(energy, Subject("energy m1 new_omega1^2 + m2 new_omega2^2"), 1, m1, m2)
+            check_law(momentum, 1, e, m1, m2)
+        check_law(energy, 2, 1, m1, m2)
 
 
-def check_law(see, what, e, m1, m2):
-    """Check that what see(omegas) returns is the same before and after a collision."""
+def check_law(what, power, e, m1, m2):
+    """Check that mass * omega ** power, added up, is the same before and after a collision."""
+
+    def total(omegas):
+        return m1 * omegas[0] ** power + m2 * omegas[1] ** power
+
     omegas = 2.5, -1.5
     call = "handle_collision", e, *omegas, m1, m2, 0.4
-    expect(*call, expected=see(omegas), see=see, what=what)
+    expect(*call, expected=total(omegas), see=total, what=what)
 
 
 BOTH = Several((Subject(owner="pend1"), Subject(owner="pend2")))
@@ -222,7 +213,7 @@ def check_pair(expected, apart=1.0, *radii, results=(), **values):
     expect_omegas(expected, *pends, 4 * apart, results=results)
 
 
-def expect_omegas(expected, pend1, pend2, r_param, results=()):
+def expect_omegas(expected, pend1, pend2, r_param, **options):
     """Check the omegas of these pendula after the call."""
     expect(
         "handle_two_bobs",
@@ -233,7 +224,7 @@ def expect_omegas(expected, pend1, pend2, r_param, results=()):
         see=lambda _: (pend1["omega"], pend2["omega"]),
         what=Several((Subject("omega", "pend1"), Subject("omega", "pend2"))),
         help=help_for(pend1, pend2, r_param, expected),
-        results=results,
+        **options,
     )
 
 

@@ -9,31 +9,24 @@ from math import pi, sin
 
 from vpython import vector
 
+from grading.checks import check
 from grading.cradles import ends_like, hang, LEFT_OVER, left_over, R, see_each, shapes, touching
-from grading.grader import check, expect, steps
+from grading.grader import expect
 from grading.messages import Expected
-from grading.subject import Each, Subject
+from grading.subject import Each
 from support.pendulum import arm
 
-steps(
-    "angle_update",
-    "the acceleration from g, theta and r_param; omega plus its change in dt; theta plus its "
-    "change, with the new omega; return both.",
-    "area = 2 * (width + height)  # each product needs its *",
-    "return low, high  # gives two values back, in this order",
-)
-steps(
-    "full_swing_update",
-    "one loop over pend_list calls swing_update for each pendulum.",
-    "for book in books:  # the indented lines below run once for each book",
-    "sort_pages(book, 3)  # nothing comes back: the call changes the book",
-)
+STEPS = {
+    "angle_update": "the acceleration from g, theta and r_param; omega plus its change in dt; "
+    "theta plus its change, with the new omega; return both.",
+    "full_swing_update": "one loop over pend_list calls swing_update for each pendulum.",
+}
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the
 # appendix.
 STEP = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0)
 AFTER = (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
-STEPS = [
+OTHER_SWINGS = [
     # On the left, gravity pulls to the right
     ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),
     ((0.0, pi / 2, 2.0, 0.01, 9.8), (-0.049, pi / 2 - 0.00049)),  # from rest, cord level
@@ -125,7 +118,7 @@ def test_angle_update():
 @check("angle_update")
 def test_angle_update_of_other_swings():
     """Theta is the angle formed by the cord normal to the axle."""
-    for arguments, expected in STEPS:
+    for arguments, expected in OTHER_SWINGS:
         check_step(arguments, expected)
 
 
@@ -174,9 +167,8 @@ def test_every_pendulum_swings_once():
         0.25,
         0.2,
         5.0,
-        expected=4.0,
-        see=lambda _: pend["omega"],
-        what=Subject("omega", "pend_list", 0),
+        expected=[4.0],
+        **see_each([pend], "omega"),
     )
     expect_swing([], expected=Expected("no error for an empty pend_list", lambda _: True))
 

@@ -7,55 +7,31 @@ if __name__ == "__main__":
 
 from vpython import box, color, cylinder, sphere, textures, vector
 
+from grading.checks import check
 from grading.cradles import csv_of, ends_like, LEFT_OVER, left_over, MIXED, R, shapes
 from grading.csv_files import ASSISTANTS, FILES, files, LOOKS, MANY, ONE, SEVEN
-from grading.grader import check, expect, steps, WrongError
+from grading.grader import expect, WrongError
 from grading.messages import Expected
-from grading.students_code import working_in
 from grading.subject import Each, Several, Subject
 from support.pendulum import arm, make_pendulum
 
-LOOP = "for book in books:  # the indented lines below run once for each book"
-STORE = "book['pages'] = 160  # stores a value in a key; == only compares"
-CALL = "return prices(path, 20)  # returns the result of a call"
-
-steps(
-    "extract_and_convert",
-    "read_csv gives df, to_dict gives bad_rep, and pend_list gets each value of bad_rep. Return "
-    "pend_list.",
-    "books.append(book)  # puts one more element at the end of the list",
-    "shelf.values()  # all values of a dictionary, without its keys",
-)
-for key in ("mass", "e"):
-    steps(
-        f"uniform_{key}_newton_cradle",
-        f"pend_list comes from extract_and_convert; each pendulum gets the new {key}; pend_list is "
-        "returned.",
-        LOOP,
-        STORE,
-    )
-for kind in ("elastic", "inelastic"):
-    steps(
-        f"{kind}_newton_cradle",
-        f"uniform_e_newton_cradle makes the pend_list, with the e of an {kind} collision; "
-        "pend_list is returned.",
-        CALL,
-    )
-steps(
-    "make_newton_cradle",
-    "for each pendulum: theta, omega, axle_pos, color, texture, and objects (from make_pendulum).",
-    "for i in range(len(books)):  # i is 0, then 1, ...; books[i] is a book",
-    STORE,
-)
+STEPS = {
+    "extract_and_convert": "read_csv gives df, to_dict gives bad_rep, and pend_list gets each "
+    "value of bad_rep. Return pend_list.",
+    "uniform_mass_newton_cradle": "pend_list comes from extract_and_convert; each pendulum gets "
+    "the new mass; pend_list is returned.",
+    "uniform_e_newton_cradle": "pend_list comes from extract_and_convert; each pendulum gets the "
+    "new e; pend_list is returned.",
+    "elastic_newton_cradle": "uniform_e_newton_cradle makes the pend_list, with the e of an "
+    "elastic collision; pend_list is returned.",
+    "inelastic_newton_cradle": "uniform_e_newton_cradle makes the pend_list, with the e of an "
+    "inelastic collision; pend_list is returned.",
+    "make_newton_cradle": "for each pendulum: theta, omega, axle_pos, color, texture, and objects "
+    "(from make_pendulum).",
+}
 
 
-def are_three(found) -> bool:
-    if not isinstance(found, list) or len(found) != 3:
-        return False
-    return all(isinstance(pend, dict) for pend in found)
-
-
-THREE = Expected("a list with 3 dictionaries", are_three, like=[{}] * 3)
+THREE = [Expected("a dictionary", lambda pend: isinstance(pend, dict), like={})] * 3
 ROWS = {"mixed": MIXED, "seven": SEVEN, "many": MANY, "none": []}
 
 
@@ -74,9 +50,9 @@ def first_and_this(name):
 
 def converts_assistants() -> bool:
     """Return whether extract_and_convert takes the names of the columns from the file."""
-    with files("assistants.csv") as folder:
+    with files("assistants.csv"):
         try:
-            expect("extract_and_convert", str(folder / "assistants.csv"), expected=ASSISTANTS)
+            expect("extract_and_convert", "assistants.csv", expected=ASSISTANTS)
         except WrongError:
             return False
     return True
@@ -96,8 +72,8 @@ def test_pend_list_is_a_list_of_dictionaries():
         (single_values, f"These are the single values of the file. {whole}"),
         (single_dictionaries, f"This is a dictionary for each value of the file. {whole}"),
     ]
-    with files("mixed.csv") as folder:
-        expect("extract_and_convert", str(folder / "mixed.csv"), expected=THREE, results=results)
+    with files("mixed.csv"):
+        expect("extract_and_convert", "mixed.csv", expected=THREE, results=results)
 
 
 @check("extract_and_convert")
@@ -111,7 +87,7 @@ def test_a_row_is_a_pendulum():
 @check("extract_and_convert")
 def test_the_file_given_is_read():
     """Creates and returns pend_list with the provided relative_filepath."""
-    with files("one.csv") as folder, working_in(folder):
+    with files("one.csv") as folder:
         first = expect("extract_and_convert", "one.csv", expected=[ONE])
         (folder / "one.csv").write_text(csv_of([ONE, {**ONE, "mass": 4.0}]))
         sentence = (
@@ -135,7 +111,7 @@ def test_the_file_given_is_read():
 
 def check_uniform(function, *arguments, key, value):
     """Check that all pendula of the files get the value of a key and keep the others."""
-    with files(*FILES) as folder, working_in(folder):
+    with files(*FILES):
         found = []
         for name, rows in ROWS.items():
             expected = [{**row, key: value} for row in rows]
@@ -185,7 +161,7 @@ def expect_cradle(see, what, expected, file="mixed.csv", r_param=R, theta_init=0
 
     options are those of expect.
     """
-    with files(file) as folder, working_in(folder):
+    with files(file):
         expect(
             "make_newton_cradle",
             file,
@@ -269,7 +245,7 @@ def test_objects_are_axle_bob_and_cord():
         return left_over(old, parts)
 
     old = shapes()
-    with files("mixed.csv") as folder, working_in(folder):
+    with files("mixed.csv"):
         expect("make_newton_cradle", "mixed.csv", R, 0.6, see=strays, **LEFT_OVER)
 
 
@@ -291,8 +267,7 @@ def test_axle_positions():
             [vector(-0.1 + apart * i, height, 0) for i in range(count)],
             file,
             r_param,
-            help=f"Here, the axles are r_param/4 = {apart:g} m apart, and r_param/5 = {height:g} m "
-            "high.",
+            help=f"The axles are r_param/4 = {apart:g} m apart, and r_param/5 = {height:g} m high.",
         )
 
 
@@ -358,7 +333,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
     """Return the updated pend_list."""
-    with files("mixed.csv") as folder, working_in(folder):
+    with files("mixed.csv"):
         first = expect("make_newton_cradle", "mixed.csv", R, 0.6, expected=THREE)
         expect(
             "make_newton_cradle",

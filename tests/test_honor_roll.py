@@ -9,26 +9,19 @@ from math import pi
 
 from vpython import box, cylinder, sphere, textures, vector
 
+from grading.checks import check
 from grading.cradles import ends_like, LEFT_OVER, left_over, shapes, within
-from grading.grader import check, expect, steps
+from grading.grader import expect
 from grading.messages import Expected
 from grading.subject import Several, Subject
 from support.pendulum import arm, make_pendulum
 
-steps(
-    "make_double_pendulum",
-    "make_pendulum for the upper one; make_bob_and_cord from the upper bob, with the angle from "
-    "straight down; five objects are returned.",
-    "title, pages, price = book['facts']  # takes a tuple apart",
-    "return low, high  # gives two values back, in this order",
-)
-steps(
-    "double_angle_update",
-    "alpha, beta and their rates; double_accelerations; the new rates, then the new angles; back "
-    "to theta and phi.",
-    "low, high = prices(book)  # stores the two results of one call",
-    "return low, high  # gives two values back, in this order",
-)
+STEPS = {
+    "make_double_pendulum": "make_pendulum for the upper one; make_bob_and_cord from the upper "
+    "bob, with the angle from straight down; five objects are returned.",
+    "double_angle_update": "alpha, beta and their rates; double_accelerations; the new rates, then "
+    "the new angles; back to theta and phi.",
+}
 
 AXLE = vector(0.3, 0.1, 0)  # m
 CORD = 0.5  # m
@@ -36,10 +29,11 @@ RED = vector(1, 0, 0)
 
 
 def check_double_pendulum(
-    see, what, theta, phi, expected, cord=CORD, texture=textures.wood, help="", right=()
+    see, what, theta, phi, expected, cord=CORD, texture=textures.wood, **options
 ):
-    """Check what see(objects) returns for a double pendulum."""
+    """Check what see(objects) returns for a double pendulum; options are those of expect."""
     angles = f"the upper cord is at {theta:g}, and the lower one at {theta + phi:g}"
+    options = {"help": f"From straight down, {angles}.", **options}
     expect(
         "make_double_pendulum",
         AXLE,
@@ -51,8 +45,7 @@ def check_double_pendulum(
         expected=expected,
         see=see,
         what=what,
-        help=help or f"From straight down, {angles}.",
-        right=right,
+        **options,
     )
 
 
@@ -184,16 +177,14 @@ def expect_update(*arguments, help="", **options):
 @check("double_angle_update")
 def test_both_angles_are_updated():
     """Define a double_angle_update() that updates both angles of the pendulum."""
-    state = 3.0, -2.0, 0.6, -0.4
-    rest = "With dt = 0, nothing moves."
     counted = (
         "This is the result if phi is measured from straight down. It is measured from the "
         "upper cord; omega_phi, too."
     )
     results = [((3.0, 1.0, 0.6, 0.2), counted)]
-    expect_update(*state, LENGTH, 0.0, G, expected=state, help=rest, results=results)
-    slow = 4e-8, -4e-8, 0.6, -0.4
-    expect_update(*slow, LENGTH, 0.0, G, expected=slow, help=rest)
+    rest = "With dt = 0, nothing moves."
+    for state in ((3.0, -2.0, 0.6, -0.4), (4e-8, -4e-8, 0.6, -0.4)):
+        expect_update(*state, LENGTH, 0.0, G, expected=state, help=rest, results=results)
     for omega, before, after, phi in (
         (3.0, 0.6, 0.9, 0.0),
         (3, 1, 1.3, 0),  # whole numbers
@@ -237,7 +228,7 @@ def check_accelerations(state, expected, length, g):
         see=see,
         what=Several((Subject("change of omega_theta / dt"), Subject("change of omega_phi / dt"))),
         results=RESULTS,
-        help=f"Here, {angles}, {rates}, k = g/R = {g / length:g}, and mu = m2/(m1 + m2) = 0.5.",
+        help=f"{angles}, {rates}, k = g/R = {g / length:g}, and mu = m2/(m1 + m2) = 0.5.",
     )
 
 

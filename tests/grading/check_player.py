@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from line_by_line.words import plural
+from grading.words import plural
 from support.start.mistake import is_pend_list
 
 

@@ -3,6 +3,7 @@
 from operator import itemgetter
 from typing import Any
 
+from pandas import DataFrame
 from vpython import color, scene, vector
 
 from grading.messages import Expected
@@ -21,8 +22,7 @@ MIXED = [
 
 def csv_of(rows: list[dict[str, Any]]) -> str:
     """Return rows as the text of a CSV, without a line break at the end."""
-    lines = [rows[0], *(row.values() for row in rows)]
-    return "\n".join(",".join(map(str, line)) for line in lines)
+    return DataFrame(rows).to_csv(index=False, lineterminator="\n").rstrip()
 
 
 MIXED_CSV = f"{csv_of(MIXED)}\n"
@@ -117,11 +117,8 @@ def left_over(old: set[int], parts: list) -> int:
     """
     kinds = {kind_of(part) for part in parts}
     known = old | set(map(id, parts))
-    count = 0
-    for shape in scene.objects:
-        if shape.visible and id(shape) not in known and kind_of(shape) in kinds:
-            count += 1
-    return count
+    others = [shape for shape in scene.objects if shape.visible and id(shape) not in known]
+    return sum(kind_of(shape) in kinds for shape in others)
 
 
 def kind_of(shape: Any) -> tuple:

@@ -1,7 +1,7 @@
 """The CSV files that the checks of tier D let students' functions read."""
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import chdir, contextmanager
 from itertools import cycle, islice
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -11,14 +11,23 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 
 # Equal rows, also the first and the last one, zeros, e = 0 and e = 1, many digits, and more rows
 # than columns.
+HEAVY = {
+    "mass": 12.625,
+    "e": 1.0,
+    "theta": 0.4375,
+    "omega": 0.0,
+    "color": "white",
+    "texture": "none",
+}
+LIGHT = {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"}
 SEVEN = [
-    {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
-    {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
-    {"mass": 0.25, "e": 0.0, "theta": 0.0, "omega": 0.0, "color": "red", "texture": "rug"},
+    HEAVY,
+    LIGHT,
+    LIGHT,
     {"mass": 2.0, "e": 0.5, "theta": -0.125, "omega": 3.5, "color": "green", "texture": "none"},
     {"mass": 7.0, "e": 0.0625, "theta": 0.0, "omega": 0.0, "color": "blue", "texture": "stucco"},
     {"mass": 1.0, "e": 1.0, "theta": 0.0, "omega": -0.5, "color": "purple", "texture": "wood_old"},
-    {"mass": 12.625, "e": 1.0, "theta": 0.4375, "omega": 0.0, "color": "white", "texture": "none"},
+    HEAVY,
 ]
 ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
 ASSISTANTS = [
@@ -44,11 +53,11 @@ FILES = {
 
 @contextmanager
 def files(*names: str) -> Iterator[Path]:
-    """Yield a folder with these FILES.
+    """Make a folder with these FILES the working directory, and yield it.
 
     On Windows, it is not deleted if a solution left a file open.
     """
-    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder, chdir(folder):
         for name in names:
-            (Path(folder) / name).write_text(FILES[name], encoding="utf-8")
+            Path(name).write_text(FILES[name], encoding="utf-8")
         yield Path(folder)

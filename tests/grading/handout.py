@@ -26,7 +26,6 @@ class Function(NamedTuple):
     tier: str
     file: str
     parameters: str
-    read: str  # place in the handout
     waits_for: tuple[str, ...] = ()  # functions here that must be right first
     # Functions, here or provided, that a line of it must name. If none does, a student reads: No
     # line of your function calls ...
@@ -43,24 +42,18 @@ DOUBLE = "src/double_cradle.py"
 # file, as when the file is started.
 PROGRAM = "the program"
 
-# Chapters of the handout
-CONVERTER = "A CVS to pend_list converter (D Tests)"
-CREATION = "Pendulum Creation (D Tests)"
-SWING = "Swing Implementation (C Tests), and Appendix: Physics Derivations"
-COLLISIONS = "Handling Collisions (B Tests), and Appendix: Conservation Laws"
-RUNNING = "Running the Simulation (A Tests)"
-CHALLENGE = "Honor Roll Challenge"
 
+def maker(parameters: str, waits_for: str, must_name: str = "") -> Function:
+    """Return a function that makes a pend_list from a CSV.
 
-def maker(parameters: str, *, waits_for: str, must_name: str) -> Function:
-    """Return a function that makes a pend_list from a CSV."""
+    Without must_name, it must name the function that it waits for.
+    """
     return Function(
         "D",
         SPECIAL,
         parameters,
-        CREATION,
         waits_for=(waits_for,),
-        must_name=(must_name,),
+        must_name=(must_name or waits_for,),
         returns="pend_list",
     )
 
@@ -68,37 +61,24 @@ def maker(parameters: str, *, waits_for: str, must_name: str) -> Function:
 # In the order of the handout.
 FUNCTIONS = {
     "extract_and_convert": Function(
-        "D", "src/pds_helper.py", "relative_filepath", CONVERTER, returns="pend_list"
+        "D", "src/pds_helper.py", "relative_filepath", returns="pend_list"
     ),
-    "uniform_mass_newton_cradle": maker(
-        "relative_filepath, mass", waits_for="extract_and_convert", must_name="extract_and_convert"
-    ),
-    "uniform_e_newton_cradle": maker(
-        "relative_filepath, e_val", waits_for="extract_and_convert", must_name="extract_and_convert"
-    ),
-    "elastic_newton_cradle": maker(
-        "relative_filepath",
-        waits_for="uniform_e_newton_cradle",
-        must_name="uniform_e_newton_cradle",
-    ),
-    "inelastic_newton_cradle": maker(
-        "relative_filepath",
-        waits_for="uniform_e_newton_cradle",
-        must_name="uniform_e_newton_cradle",
-    ),
+    "uniform_mass_newton_cradle": maker("relative_filepath, mass", "extract_and_convert"),
+    "uniform_e_newton_cradle": maker("relative_filepath, e_val", "extract_and_convert"),
+    "elastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
+    "inelastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
     "make_newton_cradle": maker(
         "relative_filepath, r_param, theta_init",
-        waits_for="extract_and_convert",
+        "extract_and_convert",
         must_name="make_pendulum",
     ),
     "angle_update": Function(
-        "C", SWINGING, "omega, theta, r_param, dt, g", SWING, returns="omega_new, theta_new"
+        "C", SWINGING, "omega, theta, r_param, dt, g", returns="omega_new, theta_new"
     ),
     "full_swing_update": Function(
         "C",
         SWINGING,
         "pend_list, r_param, dt, g",
-        SWING,
         waits_for=("angle_update",),
         must_name=("swing_update",),
         reads=("theta", "omega"),
@@ -107,14 +87,12 @@ FUNCTIONS = {
         "B",
         VISUALIZE_FILE,
         "e, omega1, omega2, m1, m2, r_param",
-        COLLISIONS,
         returns="new_omega1, new_omega2",
     ),
     "handle_two_bobs": Function(
         "B",
         VISUALIZE_FILE,
         "pend1, pend2, r_param",
-        COLLISIONS,
         waits_for=("handle_collision",),
         must_name=("handle_collision",),
         reads=("mass", "e", "omega", "bob", "radius"),
@@ -123,7 +101,6 @@ FUNCTIONS = {
         "A",
         VISUALIZE_FILE,
         "pend_list, r_param, dt, g",
-        RUNNING,
         waits_for=("full_swing_update", "handle_two_bobs"),
         must_name=("full_swing_update", "handle_two_bobs"),
         reads=("mass", "e", "theta", "omega", "bob"),
@@ -132,14 +109,12 @@ FUNCTIONS = {
         "A",
         VISUALIZE_FILE,
         "",
-        RUNNING,
         waits_for=("make_newton_cradle", "newton_cradle_tick"),
     ),
     "make_double_pendulum": Function(
         HONOR,
         DOUBLE,
         "axle_pos, r_param, theta, phi, color, texture",
-        CHALLENGE,
         must_name=("make_pendulum",),
         returns="axle, bob1, cord1, bob2, cord2",
     ),
@@ -147,7 +122,6 @@ FUNCTIONS = {
         HONOR,
         DOUBLE,
         "omega_theta, omega_phi, theta, phi, r_param, dt, g, m1, m2",
-        CHALLENGE,
         must_name=("double_accelerations",),
         returns="omega_theta, omega_phi, theta, phi",
     ),
@@ -187,9 +161,7 @@ def needed(function: str) -> list[str]:
 
 def is_students(name: str, function: str) -> bool:
     """Return whether this is the name of a function of the handout, or of a helper for it."""
-    if name == function:
-        return True
-    return name not in FUNCTIONS and name not in GIVEN and name != "<lambda>"
+    return name == function or name not in {*FUNCTIONS, *GIVEN, "<lambda>"}
 
 
 def module_of(file: str) -> str:

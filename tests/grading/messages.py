@@ -7,20 +7,17 @@ from pathlib import Path
 from textwrap import wrap
 from typing import Any, NamedTuple
 
-from pandas import DataFrame
-from vpython import box, cylinder, sphere, vector
+from vpython import vector
 
 from grading.handout import FUNCTIONS, PROGRAM
-from grading.raised import Place, StoppedError
-from grading.room import LABEL
-from line_by_line.layout import COLUMNS
-from line_by_line.words import FORMS, Noun, NOUNS, text_of, TEXTS, WIDTH
-from support.start.output import in_one_line
+from grading.raised import Place
+from grading.words import in_words, text_of
+from line_by_line.table import COLUMNS
 
+LABEL = 12  # columns of the labels
 MOST_OF_FILE = 8  # lines of the longest file that is shown whole
 LINES_OF_FILE = 4  # shown of a longer one
-MOST_LINES = 5  # shown of a result, and of an expected value
-MOST_CHARACTERS = 300  # shown of an error's text
+MOST_LINES = 3  # shown of a result, and of an expected value
 
 
 @dataclass(frozen=True)
@@ -31,21 +28,8 @@ class Expected:
     test: Callable
     like: Any = None  # an example of its form
 
-
-def vector_text(value: vector, digits: int) -> str:
-    return f"vector({', '.join(text_of(number, digits) for number in value.value)})"
-
-
-# The words for the values of a cradle
-FORMS |= {box: "an axle", sphere: "a bob", cylinder: "a cord"}
-NOUNS.insert(0, Noun("mass", "pendulum", "pendula"))
-TEXTS |= {
-    vector: vector_text,
-    DataFrame: lambda table, _: f"a table of {len(table)} rows",
-    Expected: lambda expected, _: expected.text,
-}
-for shape in (box, sphere, cylinder):
-    TEXTS[shape] = lambda value, _: f"{FORMS[type(value)]} at {vector_text(value.pos, 4)}"
+    def __repr__(self) -> str:
+        return self.text
 
 
 class PlainFile(NamedTuple):
@@ -66,11 +50,6 @@ class Call(NamedTuple):
     function: str
     arguments: tuple | None = None  # None if the function was not found
     times: int = 1
-
-    def with_numbers(self) -> str:
-        """Return the call in one line, without the names of its parameters."""
-        times = f" {self.times} times" if self.times > 1 else ""
-        return f"{self.function}({', '.join(map(text_of, self.arguments or ()))}){times}"
 
     def lines(self, index: int = 0) -> list[str]:
         """Return the call as text, and below it the values of pendula and files that it reads.
@@ -102,20 +81,15 @@ class Call(NamedTuple):
 
 
 def plain(value: Any) -> Any:
-    """Return a plain copy of an argument: a file with its text, pendula without objects."""
+    """Return a plain copy of an argument: a file with its text, pendula with the bob's place."""
     if isinstance(value, list):
         return [plain(element) for element in value]
     if isinstance(value, vector):
         return vector(value)
-    if isinstance(value, dict) and "objects" in value:
-        # A student's code may have changed the objects
-        with suppress(TypeError, ValueError, AttributeError):
-            axle, bob = value["objects"][:2]
-            copy = {key: part for key, part in value.items() if key != "objects"}
-            copy["axle"] = tuple(axle.pos.value)
-            copy["bob"] = tuple(bob.pos.value)
-            copy["radius"] = bob.radius
-            return copy
+    if isinstance(value, dict):
+        with suppress(Exception):  # it has no objects, or a student's code has changed them
+            bob = value["objects"][1]
+            return {**value, "bob": tuple(bob.pos.value), "radius": bob.radius}
     if isinstance(value, str) and Path(value).is_file():
         return PlainFile(value, Path(value).read_text(encoding="utf-8", errors="replace"))
     return value
@@ -148,14 +122,10 @@ def value_lines(name: str, value: Any, keys: tuple[str, ...], index: int = 0) ->
 
 def about(what: str, value: Any, digits: int = 6) -> list[str]:
     """Return a value as lines, after its name in what: in one line if it is short."""
-    lines = text_of(value, digits).split("\n")
-    if len(lines) > MOST_LINES:
-        lines[MOST_LINES - 1 :] = [" ..."]
-    if not what:
-        return lines
-    if len(lines) == 1 and len(what + lines[0]) < WIDTH:
-        return [f"{what}: {lines[0]}"]
-    return [f"{what}:", *lines]
+    start = f"{what}: " if what else ""
+    has_pendula = isinstance(value, list) and dict in map(type, value)
+    text = in_words(value) if has_pendula and not what else text_of(value, digits)
+    return wrap(f"{start}{text}", COLUMNS - LABEL, max_lines=MOST_LINES, placeholder=" ...")
 
 
 def place_lines(places: Sequence[Place]) -> list[str]:
@@ -167,13 +137,12 @@ def place_lines(places: Sequence[Place]) -> list[str]:
     return lines if len(lines) <= 4 else [*lines[:2], "...", *lines[-2:]]
 
 
-def end_of(raised: StoppedError) -> tuple[str, list[str]]:
-    """Return, as (label, lines), how the grader has stopped a call that went over a limit."""
-    end = f"nothing; it {raised.limit} and was stopped"
-    places = place_lines(raised.places)
-    return "came back", [f"{end} here:", *places] if places else [f"{end}."]
-
-
-def error_lines(raised: StoppedError) -> list[str]:
-    """Return what an error says, as lines of text."""
-    return [in_one_line(line) for line in raised.text[:MOST_CHARACTERS].split("\n")]
+def labelled(label: str, text: str | list[str]) -> list[str]:
+    """Return a text, or its lines, behind a label, as lines of the screen."""
+    lines = [text] if isinstance(text, str) else "\n".join(text).split("\n")
+    found = []
+    for line in lines:
+        for wrapped in wrap(line, COLUMNS - LABEL) or [""]:
+            found.append(f"{label:<{LABEL}}{wrapped}".rstrip())
+            label = ""  # it stands in the first line only
+    return found

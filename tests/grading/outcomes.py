@@ -4,21 +4,19 @@ pytest_grader.py asks for them in pytest, and grade.py makes a grade of them.
 """
 
 import traceback
-from errno import ENOSPC
 from textwrap import wrap
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from grading.failure import ask, tell, what_is_wrong
-from grading.grader import Check, checks, WaitError, WrongError
+from grading.checks import Check
+from grading.grader import Grader, WaitError, WrongError
 from grading.handout import FUNCTIONS, needed
-from grading.messages import error_lines
-from grading.present import present
 from grading.raised import StoppedError
-from grading.room import Part, Rank
-from grading.students_code import Code, code_of
-from line_by_line.layout import COLUMNS
+from grading.story import Story, tell, what_is_wrong
+from grading.students_code import code_of, names_in
+from line_by_line.table import COLUMNS
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
+FAULT_OF_GRADER = "This is a fault of the grader, not of your code. Please show it to your teacher."
 
 
 class Outcome(NamedTuple):
@@ -26,23 +24,13 @@ class Outcome(NamedTuple):
 
     state: str
     message: str = ""
-    # A file of the student's, and a line of it if one is certain: where the function is not
+    # A file of the student's, and the line at which Python stopped: where the function is not
     # written yet, or is wrong
     place: str = ""
     advice: str = ""  # about a right solution
     waits_for: str = ""  # the functions, or the file, that are wrong
     broken_file: str = ""  # that Python cannot read, so that the check fails
-    hint: str = ""
-    parts: list[Part] = []  # of the screen
-
-    def plain(self) -> dict:
-        """Return it as a dictionary that another process can get; from_plain makes it again."""
-        parts = [[int(rank), *others] for rank, *others in self.parts]
-        return {**self._asdict(), "parts": parts}
-
-    @classmethod
-    def from_plain(cls, fields: Any) -> "Outcome":
-        return cls(**{**fields, "parts": [Part(*part) for part in fields["parts"]]})
+    story: Story = Story([])
 
     @property
     def is_unwritten(self) -> bool:
@@ -62,20 +50,22 @@ def waiting(cause: str, place: str = "") -> Outcome:
 class Grading:
     """The outcomes of the checks. Each check is judged once."""
 
-    def __init__(self) -> None:
+    def __init__(self, grader: Grader) -> None:
+        self.grader = grader
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
         self.missing: dict[str, Outcome | None] = {}  # see missing_outcome, by the function
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
+        self.told: set[str] = set()  # functions whose first mistake has its story
         # Files that cannot be imported, and the file that is the cause
         self.broken: dict[str, str] = {}
 
     def judge(self, check: Check) -> Outcome:
         """Return the outcome of a check. It waits if its function uses a function that is wrong."""
-        # In their order: the first one that fails has the hint
-        for other in checks(function=check.function):
+        # In their order: the first one that fails has the story
+        for other in self.grader.checks_of(check.function):
             if other.name not in self.outcomes:
                 self.outcomes[other.name] = self.outcome_of(other)
-            if other.name == check.name:
+            if other is check:
                 break
         return self.outcomes[check.name]
 
@@ -94,7 +84,7 @@ class Grading:
         if self.hung:
             return None
         if function not in self.missing:
-            outcome = self.perform(checks(function=function)[0])
+            outcome = self.perform(self.grader.checks_of(function)[0])
             waits_for_file = outcome.waits_for in self.broken.values()
             is_missing = outcome.is_unwritten or outcome.broken_file or waits_for_file
             self.missing[function] = outcome if is_missing else None
@@ -102,7 +92,7 @@ class Grading:
 
     def is_not_right(self, function: str) -> bool:
         """Return whether the function is not written, or one of its own checks fails."""
-        outcomes = [self.judge(check) for check in checks(function=function)]
+        outcomes = [self.judge(check) for check in self.grader.checks_of(function)]
         return any(outcome.is_unwritten or outcome.is_wrong for outcome in outcomes)
 
     def perform(self, check: Check) -> Outcome:
@@ -112,60 +102,50 @@ class Grading:
             return waiting(self.broken[file])
         try:
             return self.performed(check)
-        except BaseException as error:
-            is_full = getattr(error, "errno", 0) == ENOSPC
-            if present.is_pressed or present.is_debugged or is_full:
+        except BaseException:
+            if self.grader.limits.is_pressed or self.grader.limits.is_debugged:
                 raise
-            return Outcome(FAULT, fault_message())
+            text = traceback.format_exc(limit=-3).rstrip()
+            return Outcome(FAULT, f"{FAULT_OF_GRADER}\n{text}")
 
     def performed(self, check: Check) -> Outcome:
         """Return the outcome of a check that is performed now. Faults of the grader pass."""
         try:
-            ask(check)
+            performance = self.grader.perform(check)
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
             if error.raised:
                 return self.broken_by(check, f"{error}", error.raised)
             return waiting(str(error), error.place)
-        return Outcome(PASSED, advice=" ".join(present.advice))
+        return Outcome(PASSED, advice=" ".join(performance.advice))
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.
 
-        The first one of a function has a hint and a trace table.
+        The first one of a function has a hint and a table.
         """
         function = check.function
-        code = code_of(function)
         if error.raised and error.raised.limit:
             self.hung.add(function)
-        causes = self.wrong_functions_in(code, function)
+        causes = self.wrong_functions_in(function)
         if causes:
             return waiting(", ".join(causes))
-        if not self.is_first_failure(check):
-            message = "\n".join(what_is_wrong(error, ""))
-            return Outcome(FAILED, message, place=FUNCTIONS[function].file)
-        told = tell(check, error, code)
-        message = "\n".join(told.wrong)
-        place = told.place or FUNCTIONS[function].file
-        return Outcome(FAILED, message, place=place, hint=told.hint, parts=told.parts)
+        story = Story(what_is_wrong(error, ""))
+        if function not in self.told:
+            self.told.add(function)
+            story = tell(self.grader, check, error)
+        place = story.place or FUNCTIONS[function].file
+        return Outcome(FAILED, "\n".join(story.wrong), place=place, story=story)
 
-    def wrong_functions_in(self, code: Code, function: str) -> list[str]:
+    def wrong_functions_in(self, function: str) -> list[str]:
         """Return the wrong functions that a student uses and the handout does not ask for."""
+        if self.hung:
+            return []
         functions = [*FUNCTIONS]
-        earlier = functions[: functions.index(function)]
-        wrong = []
-        for name in code.names:
-            if name in earlier and not self.hung and self.is_not_right(name):
-                wrong.append(name)
-        return wrong
-
-    def is_first_failure(self, check: Check) -> bool:
-        """Return whether no other check of the same function has failed."""
-        for other in checks(function=check.function):
-            if other.name in self.outcomes and self.outcomes[other.name].state == FAILED:
-                return False
-        return True
+        names = names_in(code_of(function))
+        used = [name for name in functions[: functions.index(function)] if name in names]
+        return [name for name in used if self.is_not_right(name)]
 
     def broken_by(self, check: Check, file: str, raised: StoppedError) -> Outcome:
         """Return the outcome of a check whose file cannot be imported.
@@ -177,29 +157,20 @@ class Grading:
         if not is_first:
             return waiting(file)
         hint = raised.hint
-        wrong = f"This file {raised.limit}." if raised.limit else error_lines(raised)[0]
+        wrong = f"This file {raised.limit}." if raised.limit else raised.text
         where = file
         code = []
         outside = [place for place in raised.places if place.is_outside]
         if outside:
             in_file = [place for place in outside if place.file == file] or outside
             where = f"{in_file[-1]}"
-            code = raised.code or [f"    {in_file[-1].code}"]
+            code = f"    {in_file[-1].code}".split("\n")
             if outside[-1] is not raised.places[-1]:
                 hint = (
                     "This line stands outside of all functions, so it runs whenever Python reads "
                     "the file. Remove it, or put it below if __name__ == '__main__'."
                 )
-        lines = [f"{where}:", *code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
-        parts = [Part(Rank.ALWAYS, lines[1:])]
-        message = "\n".join(lines)
-        return Outcome(FAILED, message, place=where, broken_file=file, hint=hint, parts=parts)
-
-
-def fault_message() -> str:
-    """Return the message for an error of the grader, which is handled now."""
-    lines = [
-        "This is a fault of the grader, not of your code. Please show it to your teacher.",
-        traceback.format_exc(limit=-3).rstrip(),
-    ]
-    return "\n".join(lines)
+        lines = [*code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
+        message = "\n".join([f"{where}:", *lines])
+        story = Story(lines, hint=hint)
+        return Outcome(FAILED, message, place=where, broken_file=file, story=story)

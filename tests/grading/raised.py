@@ -2,24 +2,28 @@
 
 import ast
 import re
+import sys
 import traceback
-from collections.abc import Iterator
-from contextlib import suppress
-from dataclasses import dataclass
+from collections.abc import Iterable
+from contextlib import redirect_stderr, suppress
+from functools import cache
+from io import StringIO
 from linecache import getline, getlines
 from pathlib import Path
 from types import FrameType
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from grading.begin import ROOT
 
-from grading import limits
 from grading.handout import FUNCTIONS, PROGRAM
 from grading.hints import of_error
+from support.root import SRC
+from support.start.output import in_one_line
 
 ENDLESS = "Does a loop in it ever end?"
 ENDLESS_PROGRAM = "Does a loop in it go on without is_running, and without rate?"
 ENDING = "This line ends the whole program. Remove it; return ends a function."
+MOST_CHARACTERS = 300  # of the text of an error that are shown
 MOST_PLACES = 20  # lines of an error that are kept: a recursion has hundreds
 # The first lines of the statements that the handout provides beside a raise, as ast.unparse writes
 # them
@@ -36,7 +40,7 @@ class Place(NamedTuple):
     file: str  # below the project's folder
     line: int
     function: str  # "" for a line that is no Python
-    code: str
+    code: str  # of a line that is no Python, with a mark below it
 
     def __str__(self) -> str:
         return f"{self.file}, line {self.line}"
@@ -47,150 +51,115 @@ class Place(NamedTuple):
         return self.function in ("", "<module>")
 
 
-@dataclass(eq=False)
 class StoppedError(Exception):
-    """An error that stopped a student's function or the import of its file, or a limit that did.
+    """An error that stopped a student's function or the import of its file, or a limit that did."""
 
-    stopped_error makes it.
-    """
-
-    error: BaseException
-    function: str  # "" if the error stopped the import
-    text: str  # what Python says: the kind of error, and its text
-    code: list[str]  # of a line that Python cannot read, with a mark below it
-    places: tuple[Place, ...]  # in the student's own files; the last call comes last
-    limit: str  # how the call went over a limit, or ""
-    culprit: str | None  # the file of src/ that made an import fail
-    stub: str | None  # the function that is not written yet
-    hint: str  # if one is known
+    def __init__(self, error: BaseException, function: str, limit: str) -> None:
+        """function is "" if the error stopped the import. limit is from Limits.over_limit."""
+        self.error = error
+        self.function = function
+        self.limit = limit
+        self.text = in_one_line(text_of(error))[:MOST_CHARACTERS]
+        frames = own_frames(traceback.walk_tb(error.__traceback__))[:MOST_PLACES]
+        # In the student's own files; the last call comes last
+        self.places = [place_at(*pair) for pair in frames]
+        if isinstance(error, SyntaxError) and own_file(f"{error.filename}"):
+            self.places.append(place_of_syntax(error))
+        self.stub = stub_of(error, self.places)  # the function that is not written yet, or None
+        if self.stub:
+            self.hint = hint_for_stub(self.stub, self.places[-1])
+        else:
+            self.hint = hint_about(error, frames, function, limit)
 
     @property
-    def kind(self) -> str:
-        return type(self.error).__name__
+    def culprit(self) -> str | None:
+        """The file of src/ that made an import fail, or None.
+
+        It lacks a function, or is missing itself, or is the first one of a circle, or has the last
+        line that ran.
+        """
+        missing = re.search(r"cannot import name '(\w+)' from 'src\.", self.text)
+        if missing and missing[1] in FUNCTIONS:
+            return FUNCTIONS[missing[1]].file
+        if isinstance(self.error, ModuleNotFoundError):
+            name = f"{self.error.name}"
+            if name.startswith("src."):
+                return name.replace(".", "/") + ".py"
+        files = [place.file for place in self.places if place.is_outside]
+        if "circular import" in self.text:
+            # In the order of the handout, it is the first file that imports from a later one
+            for function in FUNCTIONS.values():
+                if function.file in files:
+                    return function.file
+        return files[-1] if files else None
 
 
-class StubHint(NamedTuple):
-    """A function that is not written yet."""
-
-    function: str
-    hint: str  # if it has code, else ""
-
-
-def stopped_error(error: BaseException, function: str) -> StoppedError:
-    """Return what is known of an error that stopped a function.
-
-    function is "" if the error stopped the import of its file.
-    """
-    *code, text = traceback.format_exception_only(error)
-    places, frames = own_places(error)
-    limit = limits.over_limit(error)
-    stub = stub_of(error)
-    hint = ""
-    if stub:
-        hint = stub.hint
-    elif isinstance(error, (SystemExit, KeyboardInterrupt)):  # it ends the whole program
-        hint = ENDING
-        if limit:
-            hint = ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
-    elif not limit:
-        with suppress(Exception):  # an error of the student's own, which says nothing of itself
-            hint = of_error(error, frames, function)
-    return StoppedError(
-        error=error,
-        function=function,
-        text=text.strip(),
-        code=[line.rstrip() for line in code[1:]],
-        places=places,
-        limit=limit,
-        culprit=culprit_of(error, text, places),
-        stub=stub.function if stub else None,
-        hint=hint,
-    )
+def text_of(error: BaseException) -> str:
+    """Return the kind of an error and its text, also what Python guesses: "Did you mean: ...?"."""
+    text = traceback.format_exception_only(error)[-1].strip()
+    printed = StringIO()
+    with redirect_stderr(printed):
+        sys.__excepthook__(type(error), error, error.__traceback__)
+    last = printed.getvalue().strip().rpartition("\n")[2]
+    return last if last.startswith(text) else text
 
 
-def below_project(file: str) -> str:
-    """Return the path of a file below the project's folder."""
-    # As ROOT is, for example to the share behind a drive on Windows
-    return Path(file).resolve().relative_to(ROOT).as_posix()
+def hint_about(
+    error: BaseException, frames: list[tuple[FrameType, int]], function: str, limit: str
+) -> str:
+    """Return a hint about an error that stopped a function, or ""; limit is as in StoppedError."""
+    if isinstance(error, MemoryError):
+        return ""
+    if limit:
+        return ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
+    if isinstance(error, (SystemExit, KeyboardInterrupt)):
+        return ENDING
+    with suppress(Exception):  # an error of the student's own, which says nothing of itself
+        return of_error(error, frames, function)
+    return ""
 
 
-def own_places(error: BaseException) -> tuple[tuple[Place, ...], list[tuple[FrameType, int]]]:
-    """Return the places of an error in the student's own files, the last call last.
-
-    Also return the frames and the lines of those that have run.
-    """
-    places: list[Place] = []
-    frames = []
-    for place, frame in all_places(error):
-        if len(places) == MOST_PLACES:
-            break
-        path = Path(place.file)
-        if not path.is_absolute():  # "<string>" is no file
-            continue
-        if path.resolve().is_relative_to(ROOT / "src"):
-            places.append(place._replace(file=below_project(place.file)))
-            if frame:
-                frames.append((frame, place.line))
-    return tuple(places), frames
+@cache
+def own_file(file: str) -> str:
+    """Return the path of a file of src/ below the project's folder; "" for another file."""
+    path = Path(file).resolve()  # as ROOT is, for example to the share behind a drive on Windows
+    return path.relative_to(ROOT).as_posix() if path.is_relative_to(SRC) else ""
 
 
-def all_places(error: Any) -> Iterator[tuple[Place, FrameType | None]]:
-    """Yield the places of an error in all files, with their frames.
-
-    A line that is no Python has none.
-    """
-    for frame, line in traceback.walk_tb(error.__traceback__):
-        file = frame.f_code.co_filename
-        yield Place(file, line, frame.f_code.co_name, getline(file, line).strip()), frame
-    if isinstance(error, SyntaxError) and error.filename:
-        number: Any = error.lineno
-        yield Place(error.filename, number, "", (error.text or "").strip()), None
+def own_frames(walked: Iterable[tuple[FrameType, int]]) -> list[tuple[FrameType, int]]:
+    """Return the frames, with their lines, that are in the student's own files."""
+    return [(frame, line) for frame, line in walked if own_file(frame.f_code.co_filename)]
 
 
-def stub_of(error: BaseException) -> StubHint | None:
+def place_at(frame: FrameType, line: int) -> Place:
+    """Return the place of a line that has run."""
+    file = frame.f_code.co_filename
+    return Place(own_file(file), line, frame.f_code.co_name, getline(file, line).strip())
+
+
+def place_of_syntax(error: SyntaxError) -> Place:
+    """Return the place of a line that is no Python."""
+    _, *code, _ = traceback.format_exception_only(error)
+    return Place(own_file(f"{error.filename}"), error.lineno or 0, "", "".join(code).strip())
+
+
+def stub_of(error: BaseException, places: list[Place]) -> str | None:
     """Return the function that raised this error because it is not written yet, or None."""
-    frames = traceback.extract_tb(error.__traceback__)
-    if not frames or not isinstance(error, NotImplementedError):
+    if not isinstance(error, NotImplementedError):
         return None
-    place = frames[-1]
-    name = PROGRAM if place.name == "<module>" else place.name
-    if name not in FUNCTIONS or f"{error}" != f"{name} is not written yet":
-        return None
-    if not has_code_beside(place.filename, place.lineno):
-        return StubHint(name, "")
-    delete = f"Delete line {place.lineno}, raise NotImplementedError"
-    return StubHint(name, f"{delete}: it stops {name} before its end.")
+    name = f"{error}".removesuffix(" is not written yet")
+    return name if name in FUNCTIONS and name in (places[-1].function, PROGRAM) else None
 
 
-def has_code_beside(file: str, line: int | None) -> bool:
-    """Return whether a student has written statements beside the raise in this line of a file."""
+def hint_for_stub(function: str, place: Place) -> str:
+    """Return a hint if a function that is not written has code beside its raise, else ""."""
+    file = f"{ROOT / place.file}"
     for node in ast.walk(ast.parse("".join(getlines(file)))):
-        for part in ("body", "orelse"):
-            block = getattr(node, part, None)
-            if isinstance(block, list) and line in [statement.lineno for statement in block]:
-                lines = [ast.unparse(statement).partition("\n")[0] for statement in block]
-                code = [text for text in lines if not text.startswith(("'", '"', "raise"))]
-                return not GIVEN.issuperset(code)
-    return False
-
-
-def culprit_of(error: BaseException, text: str, places: tuple[Place, ...]) -> str | None:
-    """Return the file of src/ that made an import fail, or None.
-
-    It lacks a function, or is missing itself, or is the first one of a circle, or has the last line
-    that ran. text and places are those of the error.
-    """
-    missing = re.search(r"cannot import name '(\w+)' from 'src\.", text)
-    if missing and missing[1] in FUNCTIONS:
-        return FUNCTIONS[missing[1]].file
-    if isinstance(error, ModuleNotFoundError):
-        name = error.name or ""
-        if name.startswith("src."):
-            return name.replace(".", "/") + ".py"
-    files = [place.file for place in places if place.is_outside]
-    if "circular import" in text:
-        # In the order of the handout, it is the first file that imports from a later one
-        for function in FUNCTIONS.values():
-            if function.file in files:
-                return function.file
-    return files[-1] if files else None
+        block = getattr(node, "body", None)
+        if isinstance(block, list) and place.line in [statement.lineno for statement in block]:
+            lines = [ast.unparse(statement).partition("\n")[0] for statement in block]
+            code = [text for text in lines if not text.startswith(("'", '"', "raise"))]
+            if not GIVEN.issuperset(code):
+                delete = f"Delete line {place.line}, raise NotImplementedError"
+                return f"{delete}: it stops {function} before its end."
+    return ""

@@ -1,276 +1,259 @@
-"""The story of a wrong call: what was seen of it, as parts of the screen."""
+"""The story of a mistake: a failed check is performed again, and its wrong call is traced."""
 
-import ast
-import itertools
-from typing import Any
+import warnings
+from contextlib import redirect_stderr, redirect_stdout, suppress
+from io import StringIO
+from linecache import getlines
+from numbers import Real
+from typing import Any, NamedTuple
 
-from grading.grader import WrongError
+from grading.begin import ROOT
+
+from vpython import vector
+
+from grading.checks import Check
+from grading.comparing import same
+from grading.given import defined_twice
+from grading.grader import Grader, place_of, WrongError
 from grading.handout import FUNCTIONS
-from grading.raised import below_project
-from grading.room import in_order_of_ranks, LABEL, Part, Rank, YOUR_CODE
-from line_by_line.expressions import names_in_head, targets_of
-from line_by_line.layout import Kind, Row
-from line_by_line.stops import stops_in
-from line_by_line.table import rows_of
-from line_by_line.traces import Store, WatchedCall
-from line_by_line.watch import Watch
-from line_by_line.words import in_words
+from grading.limits import CLOCK
+from grading.messages import labelled, place_lines
+from grading.students_code import code_of, is_named, is_watched, names_in
+from grading.subject import Subject
+from grading.words import text_of, WORDS
+from line_by_line.table import returns_in_loops, Row, rows_of, Wanted
+from line_by_line.trace import Trace
 
-MOST_FUNCTIONS = 3  # that have a table
-MOST_ROWS = 16  # of the tables
-MOST_REMARKS = 2
-MOST_STEPS = 3  # in which a value was set that are told
-RANKS = {
-    Kind.STOPPED: Rank.ALWAYS,
-    Kind.MARKED: Rank.ALWAYS,
-    Kind.CALLED: Rank.CALLED,
-    Kind.GAVE: Rank.GAVE,
-    Kind.NO_END: Rank.NO_END,
-    Kind.IDLE: Rank.IDLE,
-}
+EXCHANGED = "These are the right values, in another order."
+PARTS = "axle", "bob", "cord"  # of the objects of a pendulum
 
 
-class WrongCall:
-    """A call of a student's function that gave something wrong, and was watched."""
+class Story(NamedTuple):
+    """What a student reads about a mistake, in this order."""
 
-    def __init__(self, function: str, error: WrongError, watch: Watch, lasting: dict[str, str]):
-        """lasting says how the call has changed values that live on, by their names."""
-        self.function = FUNCTIONS[function]
-        self.error = error
-        self.subject = error.subject
-        self.watch = watch
-        self.lasting = lasting
-        self.calls = [*watch.calls.values()]
-        self.main = next(call for call in self.calls if watch.name_of(call) == function)
-        self.stops = stops_in(watch)
-        self.stores = self.stores_in_question()
-        # The numbers of the statements that have set it, are marked or have stopped
-        self.in_question = {store.number for store in self.stores} | {*error.marks}
-        self.in_question |= {stop.number for stop in self.stops.values()}
-        self.leading = self.leading_statements()
-
-    @property
-    def place(self) -> str:
-        """The line that has stopped, is marked, or has set the value alone; "" if there is none."""
-        if self.stops:
-            call, stop = [*self.stops.items()][-1]
-            return f"{below_project(call.file)}, line {stop.line}"
-        lines = {self.line_of(number) for number in self.error.marks or self.in_question}
-        if len(lines) != 1:
-            return ""
-        number = min(self.error.marks or self.in_question)
-        owner = self.watch.statements[number].owner
-        file = next(call.file for call in self.calls if call.definition == owner)
-        return f"{below_project(file)}, line {lines.pop()}"
-
-    def line_of(self, number: int) -> int:
-        """Return the line of a statement."""
-        return self.watch.statements[number].node.lineno
-
-    # --- the value in question ---
-
-    def stores_in_question(self) -> list[Store]:
-        """Return what has set the value that the sentence is about."""
-        pend = self.pendulum()
-        index = self.subject.list_index
-        if pend is None and index is not None:
-            stores = self.watch.stores
-            whole = self.main.result
-            return [store for store in stores if store.holder is whole and store.key == index]
-        if pend is None:
-            return self.stores_of_result()
-        key = self.subject.key if self.subject.key in pend else "objects"
-        if not self.subject.key:
-            return [store for store in self.watch.stores if store.holder is pend]
-        stores = [store for store in self.watch.stores if store.holder is pend and store.key == key]
-        return stores if stores and stores[-1].value is pend.get(key) else []
-
-    def pendulum(self) -> dict | None:
-        """Return the pendulum in question, if there is one."""
-        names = self.function.parameters.split(", ")
-        values = dict(zip(names, self.watch.arguments, strict=False))
-        values[self.function.returns] = self.main.result
-        index = self.subject.list_index
-        if index is None:
-            found = values.get(self.subject.owner)
-        else:
-            pend_list = values.get("pend_list")
-            is_there = isinstance(pend_list, (list, tuple)) and index < len(pend_list)
-            found = pend_list[index] if pend_list and is_there else None
-        return found if isinstance(found, dict) else None
-
-    def stores_of_result(self) -> list[Store]:
-        """Return what has set the wrong part of the result, else what gave the result."""
-        node = self.watch.statements[self.main.returned].node
-        is_about_list = self.function.returns == "pend_list" and not self.subject.is_result
-        if not self.function.returns or is_about_list or not isinstance(node, ast.Return):
-            return []
-        part: Any = node.value
-        names = self.function.returns.split(", ")
-        is_whole = isinstance(part, ast.Tuple) and len(part.elts) == len(names)
-        for name in (self.subject.key, self.subject.owner):
-            if is_whole and name in names:
-                part = part.elts[names.index(name)]
-        stores = [store for store in self.watch.stores if store.holder is self.main]
-        if isinstance(part, ast.Name):
-            return [store for store in stores if store.key == part.id]
-        return [store for store in stores if store.number == self.main.returned]
-
-    # --- the tables ---
-
-    def parts_of_code(self) -> list[Part]:
-        """Return the rows of the tables, below their title."""
-        rows = rows_of(self.watch, self.shown_calls(), self.error.marks, self.subject.list_index)
-        if not rows:
-            return []
-        parts: list[Part] = []
-        for row in reversed(rows):
-            if row.kind == Kind.TITLE:
-                own = itertools.takewhile(lambda part: part.is_row, parts)
-                rank = min((part.rank for part in own), default=Rank.NEVER)
-                parts.insert(0, Part(rank, row.texts, is_title=True))
-            else:
-                parts.insert(0, Part(self.rank_of(row), row.texts, is_row=True))
-        in_order = [i for i in in_order_of_ranks(parts) if parts[i].is_row]
-        for i in in_order[MOST_ROWS:]:
-            parts[i] = parts[i]._replace(rank=Rank.NEVER)
-        return [Part(Rank.ALWAYS, [f"{YOUR_CODE:<{LABEL}}line by line"]), *parts]
-
-    def rank_of(self, row: Row) -> int:
-        """Return the rank of a row."""
-        if row.number in self.in_question:
-            return Rank.ALWAYS
-        rank = RANKS[row.kind]
-        return min(rank, Rank.LEADING) if row.number in self.leading else rank
-
-    def shown_calls(self) -> list[WatchedCall]:
-        """Return the calls that have a table: of the function, and of the most important others."""
-        if not self.stops:
-            return [self.main, *self.helpers()]
-        inner = [call for call in self.stops if call is not self.main]
-        return [self.main, *inner[-MOST_FUNCTIONS + 1 :]]
-
-    def helpers(self) -> list[WatchedCall]:
-        """Return a call of each of the student's other functions that matter most."""
-        by_function: dict[int, list[WatchedCall]] = {}
-        for call in self.calls:
-            if call.definition != self.main.definition and "__" not in self.watch.name_of(call):
-                by_function.setdefault(call.definition, []).append(call)
-        index = self.subject.list_index
-        found: list[tuple[bool, int, WatchedCall]] = []
-        for calls in by_function.values():
-            whole = [call for call in calls if call.is_whole] or calls
-            call = whole[-1] if index is None or index >= len(whole) else whole[index]
-            found.append((not self.in_question & {*call.traces}, len(found), call))
-        return [call for *_, call in sorted(found, key=lambda each: each[:2])][: MOST_FUNCTIONS - 1]
-
-    def leading_statements(self) -> set[int]:
-        """Return the numbers of the statements from which values go into those in question."""
-        found = {*self.in_question}
-        names = {store.key for store in self.stores}
-        called: set[str] = set()
-        count = -1
-        while count != len(found):
-            count = len(found)
-            for number, statement in enumerate(self.watch.statements):
-                if isinstance(statement.node, (ast.FunctionDef, ast.ClassDef)):
-                    continue
-                sets_name = any(base_of(target) in names for target in targets_of(statement.node))
-                is_return = isinstance(statement.node, ast.Return)
-                gives = is_return and self.watch.statements[statement.owner].node.name in called
-                if sets_name or gives or any(self.is_in(other, number) for other in found):
-                    found.add(number)
-                    names |= names_in_head(statement.node)
-                    called |= self.called_by(number)
-        return found
-
-    def called_by(self, number: int) -> set[str]:
-        """Return the names of the functions that a statement has called."""
-        traces = [trace for call in self.calls for trace in call.traces.get(number, [])]
-        return {called.name for trace in traces for called in trace.calls}
-
-    def is_in(self, number: int, outer: int) -> bool:
-        """Return whether a statement is another one, or is in its blocks."""
-        inner, around = self.watch.statements[number], self.watch.statements[outer]
-        if not hasattr(around.node, "body") or inner.owner != around.owner:
-            return number == outer
-        return around.node.lineno <= inner.node.lineno <= around.node.end_lineno
-
-    # --- sentences ---
-
-    def facts(self) -> list[str]:
-        """Return sentences about what was seen."""
-        facts = [
-            *self.about_state(),
-            *(f"Your function has changed {name}." for name in self.error.changed),
-        ]
-        remarks = [text for text, number in self.watch.remarks.items() if number in self.leading]
-        facts += remarks[:MOST_REMARKS]
-        if self.watch.error:
-            return facts
-        return [*facts, *self.about_value(), *self.about_returns(), *self.missing_calls()]
-
-    def about_state(self) -> list[str]:
-        """Return sentences about values that live on between calls, and have changed."""
-        return [
-            f"{name} lives on from call to call: {text}." for name, text in self.lasting.items()
-        ]
-
-    def about_value(self) -> list[str]:
-        """Return sentences about how the value in question was set, or that it is as before."""
-        key = self.subject.key
-        pend = self.pendulum()
-        if pend is None or key not in pend:
-            return []
-        if self.stores:
-            return self.about_stores()
-        known = self.watch.known.get(id(pend))
-        if known and key in known.copy and known.copy[key] is pend[key]:
-            before = f"as {known.giver} gave it" if known.giver else "as before the call"
-            return [f"{self.subject} is still {in_words(pend[key])}, {before}."]
-        return []
-
-    def about_stores(self) -> list[str]:
-        """Return a sentence about the lines that have set the value in question more than once."""
-        last = self.stores[-MOST_STEPS:]
-        lines = [self.line_of(store.number) for store in last]
-        if len({*lines}) > 1:
-            steps = [f"to {store.text} in line {self.line_of(store.number)}" for store in last]
-            return [f"{self.subject} was set {', then '.join(steps)}."]
-        if len(last) > 1:
-            steps = [f"to {store.text}" for store in last]
-            return [f"{self.subject} was set {', then '.join(steps)}, in line {lines[0]}."]
-        return []
-
-    def about_returns(self) -> list[str]:
-        """Return sentences about a return that has ended a loop, and about one that is missing."""
-        found = []
-        for call in self.shown_calls():
-            statement = self.watch.statements[call.returned]
-            if call.returned and statement.loops:
-                loop = self.watch.statements[statement.loops[-1]].node.lineno
-                turn = call.turns_now[statement.loops[-1]]
-                found.append(
-                    f"Line {statement.node.lineno} returns in turn {turn} of the loop in line "
-                    f"{loop}, and so ends it."
-                )
-        if not self.main.returned and self.function.returns:
-            found.append("No return with a value has run.")
-        return found
-
-    def missing_calls(self) -> list[str]:
-        """Return a sentence for each function that the handout tells to use, and no line names."""
-        names: set[str] = set()
-        for call in self.calls:
-            for node in ast.walk(self.watch.statements[call.definition].node):
-                names.update(getattr(node, field, "") for field in ("id", "attr", "name"))
-        missing = [name for name in self.function.must_name if name not in names]
-        return [f"No line of your function calls {name}." for name in missing]
+    wrong: list[str]  # what is wrong, the call, and both values
+    rows: list[Row] = []  # of the table
+    below: list[str] = []  # what is right, what was seen, and the steps
+    hint: str = ""
+    place: str = ""  # at which Python stopped: a file, and a line of it
 
 
-def base_of(target: ast.expr) -> str:
-    """Return the name in front of the brackets and dots of a target."""
-    node: Any = target
-    while isinstance(node, (ast.Subscript, ast.Attribute)):
-        node = node.value
-    return getattr(node, "id", "")
+def tell(grader: Grader, check: Check, error: WrongError) -> Story:
+    """Return the story of a check that raised this WrongError."""
+    facts = []
+    trace = Trace(WORDS, lambda code: is_watched(code, check.function), is_named)
+    errors = [error]
+    if can_repeat(grader, error):
+        check, told, errors = what_to_tell(grader, check, error)
+        trace.is_endless = is_endless(error)
+        again = ask_again(grader, check, trace, None if trace.is_endless else told)
+        if again and not trace.is_endless:
+            error = again[min(told, len(again) - 1)]
+        elif not again:
+            facts = ["Called again with the same values, it gave the right result."]
+    rows = rows_of(trace, wanted_in(error)) if not facts and not trace.fault else []
+    if rows:
+        facts = facts_of(check, error, trace)
+    hint = hint_for(error, errors)
+    below = [*right_lines(error), *(line for fact in facts for line in labelled("seen", fact))]
+    below += labelled("steps", grader.steps[check.function])
+    place = ""
+    if error.raised and not error.raised.limit:
+        place = f"{place_of(error.raised, check.function) or ''}"
+    return Story(what_is_wrong(error, hint, has_rows=bool(rows)), rows, below, hint, place)
+
+
+def can_repeat(grader: Grader, error: WrongError) -> bool:
+    """Return whether a call can be made again: not in a debugger, and not for each limit."""
+    took_memory = error.raised and isinstance(error.raised.error, MemoryError)
+    limits = grader.limits
+    return not took_memory and not limits.is_debugged and limits.stopped_by != CLOCK
+
+
+def is_endless(error: WrongError) -> bool:
+    """Return whether a call took too much time."""
+    return bool(error.raised and error.raised.limit)
+
+
+def what_to_tell(
+    grader: Grader, check: Check, error: WrongError
+) -> tuple[Check, int, list[WrongError]]:
+    """Return the check that is told, the index of its wrong call, and all wrong calls of it.
+
+    An error of arithmetic at an extreme value gives way to an ordinary call that is wrong.
+    """
+    if is_endless(error):
+        return check, 0, [error]
+    errors = ask_again(grader, check)
+    if not error.raised or not isinstance(error.raised.error, ArithmeticError):
+        return check, 0, errors
+    for other in grader.checks_of(check.function):
+        others = errors if other is check else ask_again(grader, other)
+        for i, wrong in enumerate(others):
+            if not wrong.raised:
+                return other, i, others
+    return check, 0, errors
+
+
+def ask_again(
+    grader: Grader, check: Check, trace: Trace | None = None, told: int | None = 0
+) -> list[WrongError]:
+    """Perform a check once more; return its wrong calls: without told, it ends at the first one.
+
+    The student's code prints nothing now.
+    """
+    try:
+        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+            grader.perform(check, trace, told)
+    except (Exception, KeyboardInterrupt):  # a check may need right results to go on
+        if grader.limits.is_pressed:
+            raise
+    return grader.performance.errors
+
+
+# --- what the table is about ---------------------------------------------------------------------
+
+
+def wanted_in(error: WrongError) -> Wanted:
+    """Return the values that are wrong, as a table looks for them."""
+    subject, found = error.mistake.subject, error.mistake.found
+    if error.raised and "NoneType" in error.raised.text:
+        found = None
+    holder = holder_of(subject, error)
+    key = subject.attribute or subject.key
+    ends = {"pos", "axis"} if key in ("pos", "axis") else {key}  # a cord may be drawn from its bob
+    keys = {(id(holder), end) for end in ends}
+
+    def is_wrong(value: Any) -> bool:
+        is_found = is_plain(found) and same(value, found)
+        parts = value if isinstance(value, tuple) else (value,)
+        is_holder = subject.attribute and any(part is holder for part in parts)
+        return bool(is_found or is_holder)
+
+    return Wanted(frozenset(keys), frozenset(ends), is_wrong)
+
+
+def is_plain(value: Any) -> bool:
+    """Return whether a value says where it comes from: None, a number, a text or a vector."""
+    return value is None or isinstance(value, (Real, str, vector)) and not isinstance(value, bool)
+
+
+def holder_of(subject: Subject, error: WrongError) -> Any:
+    """Return the dictionary or the object that has the value of a subject, or None."""
+    function = FUNCTIONS[error.call.function]
+    names = dict(zip(function.parameters.split(", "), error.arguments, strict=False))
+    result = error.result
+    parts = result if isinstance(result, tuple) else (result,)
+    names |= dict(zip(filter(None, function.returns.split(", ")), parts, strict=False))
+    index, part = subject.list_index, subject.object_name
+    with suppress(LookupError, TypeError):
+        if part in names:
+            return names[part]
+        owner = names[subject.owner if subject.owner in names else "pend_list"]
+        pend = owner if index is None else owner[index]
+        return pend["objects"][PARTS.index(part)] if part in PARTS else pend
+    return None
+
+
+# --- what is said --------------------------------------------------------------------------------
+
+
+def hint_for(error: WrongError, others: list[WrongError]) -> str:
+    """Return what is known about a mistake, or "". others are all wrong calls of its check."""
+    function = error.call.function
+    expected = FUNCTIONS[function].parameters.split(", ")
+    code = code_of(function)
+    found = [*code.co_varnames[: code.co_argcount]] if code else []
+    twice = defined_twice(FUNCTIONS[function].file, function)
+    if twice:
+        return twice
+    is_refused = f"{function}() takes" in f"{error}"
+    if found != expected and (is_refused or sorted(found) == sorted(expected)):
+        return f"The def line has changed. It must be: def {function}({', '.join(expected)}):"
+    hints = {other.hint for other in others if other.hint and not other.raised}
+    if error.hint and hints <= {error.hint}:
+        return error.hint
+    wrong = [other for other in others if not other.raised]
+    if error.is_exchanged and all(other.is_exchanged for other in wrong):
+        return EXCHANGED
+    return ""
+
+
+def what_is_wrong(error: WrongError, hint: str, has_rows: bool = False) -> list[str]:
+    """Return what is wrong, the call, and both values, as lines of the screen.
+
+    has_rows says whether the lines at which an error has stopped are shown below.
+    """
+    sentence = f"{error}"
+    lines = error.lines
+    if error.raised:
+        places = [] if has_rows else place_lines(error.raised.places)
+        lines = [("", places), *lines]
+    end = "" if sentence.endswith((".", "?", "!")) else "."
+    pairs = [
+        ("wrong", f"{sentence}{end} {hint}".strip()),
+        ("called", error.call.lines(error.mistake.subject.list_index or 0)),
+        *lines,
+    ]
+    found = []
+    for label, text in pairs:
+        if text:
+            found += labelled(label, text)
+    return found
+
+
+def right_lines(error: WrongError) -> list[str]:
+    """Return what is right in this call, as lines of the screen."""
+    values = [f"{name} = {text_of(value)}" for name, value in error.right]
+    found = labelled("right here", f"{', '.join(values)}.") if values else []
+    if error.help:
+        found += labelled("right here", error.help)
+    return found
+
+
+def facts_of(check: Check, error: WrongError, trace: Trace) -> list[str]:
+    """Return sentences about what was seen: each names a line, a key or an object."""
+    function = FUNCTIONS[check.function]
+    names = names_in(code_of(check.function))
+    for call in trace.calls:
+        names |= names_in(call.code)
+    facts = []
+    if "relative_filepath" in function.parameters and "NC_FP" in names:
+        facts.append("Your function names NC_FP: the file to read is relative_filepath.")
+    facts += warnings_in(check.function)
+    for name, file in {call.name: call.code.co_filename for call in trace.calls[1:]}.items():
+        facts += filter(None, [defined_twice(file, name)])
+    if error.raised:
+        return facts
+    subject = error.mistake.subject
+    holder = holder_of(subject, error)
+    was_there = any(holder is value for value in known_before(error, trace))
+    if was_there and not trace.has_set((id(holder), subject.key)):
+        facts.append(f"No line of your function has changed {subject}.")
+    facts += returns_in_loops(trace)
+    missing = [name for name in function.must_name if name not in names]
+    return [*facts, *(f"No line of your function calls {name}." for name in missing)]
+
+
+def known_before(error: WrongError, trace: Trace) -> list[dict]:
+    """Return the dictionaries that a call got: as arguments, or from other functions."""
+    found = []
+    for value in [*error.arguments, *trace.given]:
+        parts = value if isinstance(value, list) else [value]
+        found += [part for part in parts if isinstance(part, dict)]
+    return found
+
+
+def warnings_in(function: str) -> list[str]:
+    """Return what Python warns of when it reads the lines of a function."""
+    file = ROOT / FUNCTIONS[function].file
+    code = code_of(function)
+    lines = {line for _, _, line in code.co_lines()} if code else set()
+    with warnings.catch_warnings(record=True) as found:
+        warnings.simplefilter("always")
+        compile("".join(getlines(f"{file}")), f"{file}", "exec")
+    return [
+        f"Python warns of line {warning.lineno}: {warning.message}"
+        for warning in found
+        if warning.lineno in lines
+    ]

@@ -3,29 +3,24 @@
 import ast
 import atexit
 import importlib
-import os
 import shutil
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable
+from contextlib import nullcontext, suppress
 from linecache import getlines
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from types import FunctionType, ModuleType
-from typing import Any, NamedTuple
+from types import CodeType
+from typing import Any
 from unittest.mock import patch
 
 from grading.begin import ROOT
 
-from grading import limits
 from grading.check_player import CheckPlayer
 from grading.handout import FUNCTIONS, is_students, module_of, PROGRAM
-from grading.messages import own_copies
-from grading.present import present
-from grading.raised import stopped_error
-from line_by_line.instrument import watched
-from line_by_line.state import state_of
-from line_by_line.watch import Watch
+from grading.limits import limited_memory, Limits
+from grading.raised import own_file, StoppedError
+from line_by_line.trace import Trace
 from support import simulation
 from support.files.source_files import fresh_modules, main_module, run_file
 
@@ -39,14 +34,6 @@ mass,e,theta,omega,color,texture
 4.25,0.5,0.0,0.0,cyan,none
 5.25,0.5,0.0,0.0,cyan,none
 """
-
-
-class Code(NamedTuple):
-    """What is known of a student's function."""
-
-    line: int = 0  # the first one in its file
-    names: tuple[str, ...] = ()  # in its code
-    parameters: str = ""  # with commas
 
 
 class MissingError(Exception):
@@ -64,10 +51,11 @@ class StudentsCode:
         # A solution may leave a file open
         self.folder = TemporaryDirectory(ignore_cleanup_errors=True)
         atexit.register(self.folder.cleanup)  # or Python warns of it at the end
+        folder = Path(self.folder.name)
         for file in ROOT.glob("*.csv"):  # the program may use one of them
             with suppress(OSError):
-                shutil.copyfile(file, Path(self.folder.name) / file.name)
-        self.shipped = Path(self.folder.name) / "newton_cradle_pends.csv"
+                shutil.copyfile(file, folder / file.name)
+        self.shipped = folder / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
         # Whether the last call has changed this CSV, which was then put back
         self.has_written = False
@@ -79,8 +67,7 @@ class StudentsCode:
         """
         if function == PROGRAM:
             return self.run_program
-        with patch("support.constants.NC_FP", str(self.shipped)):
-            module = importlib.import_module(module_of(FUNCTIONS[function].file))
+        module = importlib.import_module(module_of(FUNCTIONS[function].file))
         found = getattr(module, function, None)
         if not callable(found):
             raise MissingError
@@ -91,80 +78,47 @@ class StudentsCode:
         program = main_module(PROGRAM_FILE)
         player.begin()
         try:
-            with patch("support.constants.NC_FP", str(self.shipped)), fresh_modules():
+            with fresh_modules():
                 simulation.play(lambda: run_file(program), player)
         except SystemExit as end:  # exit() without an error ends the run, as on the page
             if end.code:
                 raise
 
-    def run(self, function: str, arguments: tuple, times: int = 1) -> Any:
-        """Call a function of the handout, and return its result.
-
-        Raises a StoppedError if it or its import fails.
-        """
-        solution = None
-        watch = present.watch if function == present.watched_function else None
-        try:
-            with limits.limited_memory():
-                solution = self.find(function)
-                if not watch:
-                    return self.repeated(solution, function, arguments, times)
-                own = own_functions(function)
-                before = state_of(own)
-                try:
-                    with watched(own, watch):
-                        return self.repeated(solution, function, arguments, times, watch)
-                finally:
-                    present.lasting = changes_between(before, state_of(own))
-        except MissingError:
-            raise
-        except BaseException as error:  # also SystemExit
-            if present.is_debugged and type(error).__name__ in ("BdbQuit", "Exit"):
-                raise  # somebody has ended the debugger, and with it pytest
-            if limits.is_for_want_of_shared(error):
-                present.shared_was_short = True
-            if watch:
-                watch.error = error
-            raise stopped_error(error, "" if solution is None else function) from None
-        finally:
-            self.put_back()
-
-    def repeated(
+    def run(
         self,
-        solution: Callable,
         function: str,
         arguments: tuple,
         times: int,
-        watch: Watch | None = None,
+        limits: Limits,
+        trace: Trace | None = None,
     ) -> Any:
-        """Call a solution this number of times; return the last result.
+        """Call a function of the handout this number of times, and return the last result.
 
-        Each result gives the first arguments of the next call. A watch keeps the last call.
+        Each result gives the first arguments of the next call. A trace is on in the last one.
+        Raises a StoppedError if the function or its import fails.
         """
-        for _ in range(times):
-            if watch:
-                watch.begin(arguments)
-            result = solution(*arguments)
-            if FUNCTIONS[function].returns and isinstance(result, tuple):
-                arguments = (*result, *arguments[len(result) :])
-        return result
-
-    @contextmanager
-    def with_other_values(self, function: str) -> Iterator[Callable]:
-        """Yield a function that calls this one with other values than its statements give.
-
-        It gets the arguments, and the values by the numbers of the statements.
-        """
-        watch = Watch()
-        solution = self.find(function)
-
-        def call(arguments: tuple, replaced: dict[int, Any]) -> Any:
-            watch.replaced = replaced
-            watch.begin(arguments)
-            return solution(*own_copies(arguments))
-
-        with watched(own_functions(function), watch):
-            yield call
+        called = ""
+        try:
+            grader_csv = patch("support.constants.NC_FP", str(self.shipped))
+            with limited_memory(limits.memory), grader_csv:
+                solution = self.find(function)
+                called = function
+                for i in range(times):
+                    with trace.on() if trace and i == times - 1 else nullcontext():
+                        result = solution(*arguments)
+                    if limits.stopped_by:  # the function has caught the interrupt
+                        raise KeyboardInterrupt
+                    if FUNCTIONS[function].returns and isinstance(result, tuple):
+                        arguments = (*result, *arguments[len(result) :])
+                return result
+        except MissingError:
+            raise
+        except BaseException as error:  # also SystemExit
+            if limits.is_debugged and type(error).__name__ in ("BdbQuit", "Exit"):
+                raise  # somebody has ended the debugger, and with it pytest
+            raise StoppedError(error, called, limits.over_limit(error)) from None
+        finally:
+            self.put_back()
 
     def put_back(self) -> None:
         """Set has_written; if it is True, make the grader's CSV again."""
@@ -175,69 +129,37 @@ class StudentsCode:
             self.shipped.write_text(SHIPPED_CSV)
 
 
-def code_of(function: str) -> Code:
-    """Return what is known of a student's function, if it is there."""
+def code_of(function: str) -> CodeType | None:
+    """Return the code of a student's function, or of the program's block, if it is there."""
     with suppress(Exception):  # it is not imported, or no plain function
         if function == PROGRAM:
-            nodes = ast.walk(ast.parse("".join(getlines(str(PROGRAM_FILE)))))
-            return Code(names=tuple(node.id for node in nodes if isinstance(node, ast.Name)))
-        module = sys.modules[module_of(FUNCTIONS[function].file)]
-        code = getattr(module, function).__code__
-        parameters = code.co_varnames[: code.co_argcount]
-        return Code(code.co_firstlineno, code.co_names, ", ".join(parameters))
-    return Code()
+            module = ast.parse("".join(getlines(str(PROGRAM_FILE))))
+            module.body = [statement for statement in module.body if isinstance(statement, ast.If)]
+            return compile(module, str(PROGRAM_FILE), "exec")
+        module_name = module_of(FUNCTIONS[function].file)
+        return getattr(sys.modules[module_name], function).__code__
+    return None
 
 
-def own_functions(function: str) -> list[FunctionType]:
-    """Return this function of the handout, and the student's own functions that it can use.
-
-    They are in its file, or in a file from which this one takes them.
-    """
-    found: list[FunctionType] = []
-    namespaces = [vars(sys.modules[module_of(FUNCTIONS[function].file)])]
-    for namespace in namespaces:  # it grows
-        values = [*namespace.values()]
-        for value in [*values]:
-            is_own_class = isinstance(value, type) and value.__module__ == namespace["__name__"]
-            is_own_file = isinstance(value, ModuleType) and value.__name__.startswith("src.")
-            if is_own_class or is_own_file:
-                values += vars(value).values()
-        for value in values:
-            if isinstance(value, FunctionType) and value not in found and is_own(value, function):
-                found.append(value)
-                if all(value.__globals__ is not known for known in namespaces):
-                    namespaces.append(value.__globals__)
-    return found
+def names_in(code: CodeType | None) -> set[str]:
+    """Return the names that a code uses, and the functions in it."""
+    if not code:
+        return set()
+    names = {*code.co_names}
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            names |= names_in(constant)
+    return names
 
 
-def changes_between(before: dict[str, str], now: dict[str, str]) -> dict[str, str]:
-    """Return how a call has changed values that live on, by their names."""
-    found = {}
-    for name, text in before.items():
-        if now.get(name, text) != text:
-            found[name] = f"it was {text} when this call began, and {now[name]} at its end"
-    return found
+def is_watched(code: CodeType, function: str) -> bool:
+    """Return whether a table shows a call: of this function, or of a helper of the student's."""
+    if code.co_name == "<module>":
+        return function == PROGRAM and code.co_filename == str(PROGRAM_FILE)
+    return bool(own_file(code.co_filename)) and is_students(code.co_name, function)
 
 
-def is_own(value: FunctionType, function: str) -> bool:
-    """Return whether a function is this one of the handout, or a helper of the student's."""
-    code = value.__code__
-    is_in_src = Path(code.co_filename).is_relative_to(ROOT / "src")
-    return is_in_src and is_students(code.co_name, function)
-
-
-def is_named(function: FunctionType) -> bool:
+def is_named(code: CodeType) -> bool:
     """Return whether a table names the calls of a function: it is of src/, or makes pendula."""
-    file = Path(function.__code__.co_filename)
-    return file.is_relative_to(ROOT / "src") or file == ROOT / "support" / "pendulum.py"
-
-
-@contextmanager
-def working_in(folder: str) -> Iterator[None]:
-    """Make this folder the working directory, in the body of the with statement."""
-    before = os.getcwd()
-    os.chdir(folder)
-    try:
-        yield
-    finally:
-        os.chdir(before)
+    file = code.co_filename
+    return bool(own_file(file)) or file == str(ROOT / "support" / "pendulum.py")

@@ -4,21 +4,9 @@ from typing import Any, NamedTuple, TypeAlias
 
 RESULT = "The result"
 
-# What the elements of a list are called
-ELEMENTS = {"pend_list": "pendulum", "axle": "axle", "bob": "bob", "cord": "cord"}
-
 OBJECTS = "axle", "bob", "cord"  # bob1, too
-# The attribute of an object that a key means, by its first words
-ATTRIBUTES = {
-    "position": "pos",
-    "color": "color",
-    "texture": "texture",
-    "radius": "radius",
-    "visible": "visible",
-    "end at the axle": "pos",
-    "end at the upper bob": "pos",
-    "end at": "axis",
-}
+# The attribute of an object that a key means, by its first word, which is the attribute otherwise
+ATTRIBUTES = {"position": "pos", "end": "pos"}
 
 
 class Subject(NamedTuple):
@@ -49,11 +37,8 @@ class Subject(NamedTuple):
     @property
     def attribute(self) -> str:
         """The attribute of an object, such as "pos"; "" for a key of a dictionary."""
-        if self.object_name:
-            for words, attribute in ATTRIBUTES.items():
-                if self.key.startswith(words):
-                    return attribute
-        return ""
+        word = self.key.partition(" ")[0]
+        return ATTRIBUTES.get(word, word) if self.object_name else ""
 
     def element(self, i: int) -> "Subject":
         """Return the subject of an element."""
@@ -89,14 +74,13 @@ class Each(NamedTuple):
     def __str__(self) -> str:
         if self.name:
             return self.name
-        each = f"each {ELEMENTS[self.owner]}"
+        each = "each pendulum" if self.owner == "pend_list" else f"each {self.owner}"
         return f"{' and '.join(self.keys)} of {each}" if self.keys else each
 
     def element(self, i: int) -> Subject | Several:
         """Return the subject of an element."""
-        if len(self.keys) < 2:
-            return Subject("".join(self.keys), self.owner, i)
-        return Several(tuple(Subject(key, self.owner, i) for key in self.keys))
+        parts = tuple(Subject(key, self.owner, i) for key in self.keys or [""])
+        return Several(parts) if len(parts) > 1 else parts[0]
 
 
 What: TypeAlias = Subject | Several | Each

@@ -1,290 +1,249 @@
-"""The trace table of a call that was watched: a row for each line of code.
-
-layout.py lays the rows out.
-"""
+"""The rows of a trace: each statement, its text, and what it gave, in 80 columns."""
 
 import ast
-import builtins
-import os
-from typing import Any
+import linecache
+from collections.abc import Callable
+from textwrap import wrap
+from typing import Any, NamedTuple
 
-from line_by_line.expressions import names_in_head, targets_of, used_in_head
-from line_by_line.instrument import TRIES
-from line_by_line.layout import cell, cells, INDENT, Kind, laid_out, once, Remark, Row
-from line_by_line.source import head_of, indentation_of
-from line_by_line.stops import Stop, stops_in
-from line_by_line.traces import Called, LOOPS, Trace, WatchedCall
-from line_by_line.watch import Watch
-from line_by_line.words import in_words
+from line_by_line.trace import Call, Key, Trace, Visit
 
-MOST_CALLS = 3  # of a line that are shown
-FEW_TURNS = 4  # turns of a loop that are all shown
-LONG = 140  # characters of the values of all turns; if they are longer, only one turn is shown
-
-
-class Table:
-    """The trace table of one call of a function that the student wrote."""
-
-    def __init__(
-        self,
-        watch: Watch,
-        call: WatchedCall,
-        stop: Stop | None = None,
-        marks: dict[int, str] | None = None,
-        index: int | None = None,
-    ):
-        """marks has what is said of a statement with a wrong value.
-
-        index is that of the turn in question, from 0, or None.
-        """
-        self.watch = watch
-        self.call = call
-        self.stop = stop
-        self.marks = marks or {}
-        self.index = index
-        self.numbers = [number for number in watch.numbers_of(call) if self.is_shown(number)]
-
-    def is_shown(self, number: int) -> bool:
-        """Return whether a statement has a row: a print has one only if it has stopped."""
-        is_stop = self.stop is not None and number == self.stop.number
-        return self.watch.statements[number].is_shown or is_stop
-
-    def node(self, number: int) -> Any:
-        return self.watch.statements[number].node
-
-    def rows(self) -> list[Row]:
-        """Return the rows in the order of the code."""
-        columns = {}
-        for number in self.numbers:
-            columns[number] = indentation_of(self.node(number), self.call.file)
-        first_column = min(columns.values(), default=0)
-        lines = [self.node(number).lineno for number in self.numbers]
-        width = len(str(max(lines, default=0)))
-        rows: list[Row] = []
-        for number, line in zip(self.numbers, lines, strict=True):
-            remark = self.remark_on(number)
-            if remark:
-                code = head_of(self.node(number), self.call.file)
-                code = f"{' ' * (columns[number] - first_column)}{code}"
-                rows.append(Row(remark.kind, number, laid_out(f"{line:>{width}}", code, remark)))
-        return rows
-
-    # --- what is said of a statement ---
-
-    def remark_on(self, number: int) -> Remark | None:
-        """Return what is said of a statement, or None if it comes after a stop."""
-        if isinstance(self.node(number), TRIES):
-            return Remark(Kind.NO_END)
-        remark = self.remark_on_traces(number)
-        if self.stop and number == self.stop.number:
-            return self.remark_on_stop(self.stop, remark or Remark(Kind.STOPPED))
-        if not remark:
-            is_after = self.stop and self.stop.is_error and number > self.stop.number
-            if is_after and self.call.is_whole:
-                return None
-            return Remark(Kind.NO_END, self.why_it_has_no_end(number))
-        if number in self.marks:
-            after = f"{remark.after}  <- {self.marks[number]}"
-            return Remark(Kind.MARKED, after, remark.below)
-        return remark
-
-    def remark_on_traces(self, number: int) -> Remark | None:
-        """Return what is said of a statement, or None if it did not come to its end."""
-        traces = self.call.traces.get(number)
-        is_loop = isinstance(self.node(number), LOOPS)
-        if not traces:
-            is_empty = is_loop and number in self.call.whole_values and not self.stop
-            return Remark(Kind.GAVE, "no turn") if is_empty else None
-        kind = Kind.IDLE
-        if any(trace.calls for trace in traces):
-            kind = Kind.CALLED
-        elif any(trace.values for trace in traces):
-            kind = Kind.GAVE
-        after = self.in_turns(number, traces)
-        return Remark(kind, after, tuple(self.calls_in_words(number, traces)))
-
-    def remark_on_stop(self, stop: Stop, remark: Remark) -> Remark:
-        """Return what is said of the statement that has stopped.
-
-        These are its earlier turns (in remark), and the values at which it stopped.
-        """
-        calls = self.call.called.get(stop.number, [])
-        below = []
-        if stop.is_error and not calls:  # what a call got is shown anyway
-            below = self.values_at_stop(stop.number)
-        turn = self.begun_turns(stop.number)
-        label = f"turn {turn}: " if turn > 1 else ""
-        below += [f"{label}{called.name} got {called.got}" for called in calls if called.got]
-        after = f"{remark.after}  <- {stop.how}".strip()
-        return Remark(Kind.STOPPED, after, (*remark.below[-1:], *below))
-
-    def values_at_stop(self, number: int) -> list[str]:
-        """Return the values at which a statement was stopped, and the lines that gave them."""
-        values = self.watch.values_in(self.call, number)
-        node = self.node(number)
-        operands = values.operands_at_stop(node)
-        if not operands and len(targets_of(node)) > 1 and number in self.call.whole_values:
-            return [f"the value is {in_words(self.call.whole_values[number])}"]
-        found = []
-        for operand in operands or values.not_called(used_in_head(node)):
-            text = values.operand(operand)
-            if text and isinstance(operand, ast.Name):
-                text += self.giver_of(operand.id)
-            found.append(text)
-        used = names_in_head(node)
-        if isinstance(node, ast.AugAssign):
-            used.add(getattr(node.target, "id", ""))
-        found += [self.why_unset(name) for name in sorted(used) if not values.has(name)]
-        return [*dict.fromkeys(filter(None, found))]
-
-    def giver_of(self, name: str) -> str:
-        """Return which line has given a name its value, or "", to be said behind the value."""
-        stores = [store for store in self.watch.stores if store.holder is self.call]
-        lines = [self.node(store.number).lineno for store in stores if store.key == name]
-        if not lines:
-            return ""
-        text = f": line {lines[-1]} gave it this value"
-        if hasattr(builtins, name):
-            text = f"{text}; Python's own {name} has this name, too"
-        return text
-
-    def why_unset(self, name: str) -> str:
-        """Return why a name has no value, if a line of the function sets it; else ""."""
-        setting = self.lines_that_set(name)
-        if not setting:
-            return ""
-        own = f"so {name} is a name of this function alone"
-        return f"{name} has no value yet: line {setting[0]} gives it one, {own}"
-
-    def lines_that_set(self, name: str) -> list[int]:
-        """Return the lines of the function that give a name a value, also if they never ran."""
-        lines = []
-        for number in self.watch.numbers_of(self.call):
-            node = self.node(number)
-            if name in [getattr(target, "id", "") for target in targets_of(node)]:
-                lines.append(node.lineno)
-        return lines
-
-    def why_it_has_no_end(self, number: int) -> str:
-        """Return what is said of a statement that did not come to its end in any turn."""
-        if number in self.call.hidden:
-            return f"stopped: {self.call.hidden[number]}"
-        if not self.call.is_whole:
-            return "(not watched further)"
-        if number in self.call.begun:
-            return "(did not come to its end)"
-        return "(not in this call)" if len(self.watch.calls_of(self.call)) > 1 else "(never ran)"
-
-    # --- the turns of a loop ---
-
-    def begun_turns(self, number: int) -> int:
-        """Return how many turns the innermost loop has begun that is or is around a statement."""
-        statement = self.watch.statements[number]
-        loops = [number] if isinstance(statement.node, LOOPS) else statement.loops
-        return self.call.turns[loops[-1]] if loops else 0
-
-    def numbers_of_turns(self, columns: int) -> list[int]:
-        """Return which turns are shown: the first two, the one in question, and the last one."""
-        if columns <= FEW_TURNS:
-            return [*range(1, columns + 1)]
-        turns = {1, 2, columns}
-        if self.index is not None and self.index < columns:
-            turns.add(self.index + 1)
-        return sorted(turns)
-
-    def in_turns(self, number: int, traces: list[Trace]) -> str:
-        """Return what a statement gave, in each turn of its loop that is shown."""
-        turns = self.begun_turns(number)
-        if not turns:
-            return once(traces[-1].values)
-        by_turn = {trace.turn: cell(trace.values) for trace in traces}
-        if traces[0].is_condition_of_loop:  # it comes once more at each end of the loop
-            by_turn = {i: cell(trace.values) for i, trace in enumerate(traces, start=1)}
-            turns = len(traces)
-        is_in_each = len(by_turn) == turns
-        is_stop = self.stop is not None and number == self.stop.number
-        if (is_in_each or is_stop) and not any(trace.values for trace in traces):
-            return ""
-        if is_in_each and len({*by_turn.values()}) == 1 and turns > 2:
-            text = f"{by_turn[1]}, in each turn"
-        else:
-            text = cells(by_turn, self.numbers_of_turns(turns))
-        if len(text) > LONG and self.index is not None and self.index < turns:
-            turn = self.index + 1
-            return f"turn {turn}: {by_turn.get(turn, '-')}"
-        if not isinstance(self.node(number), LOOPS) or turns <= FEW_TURNS:
-            return text
-        watched = "" if self.call.is_whole else ": not watched further"
-        return f"{text}  ({self.begun_turns(number)} turns{watched})"
-
-    def calls_in_words(self, number: int, traces: list[Trace]) -> list[str]:
-        """Return what the called functions got and gave, in the turns that are shown."""
-        by_turn = {}
-        for trace in traces:
-            texts = [self.call_in_words(number, trace, called) for called in trace.calls]
-            turn = trace.turn
-            if trace.is_condition_of_loop:
-                turn += 1  # it comes before its turn
-            by_turn[turn] = [*filter(None, texts)]
-        with_calls = [turn for turn, texts in by_turn.items() if texts]
-        if self.begun_turns(number) <= 1 or not with_calls:
-            return [text for texts in by_turn.values() for text in texts]
-        first = by_turn[with_calls[0]]
-        if len(with_calls) > 1 and all(by_turn[turn] == first for turn in with_calls):
-            return [f"{text}, in each turn" for text in first]
-        lines = []
-        for turn in self.turns_with_calls(with_calls, number):
-            lines += [f"turn {turn}: {text}" for text in by_turn[turn]]
-        return lines
-
-    def call_in_words(self, number: int, trace: Trace, called: Called) -> str:
-        """Return what a called function got and gave, or "" if its row says it."""
-        parts = []
-        if called.got:
-            parts.append(f"got {called.got}")
-        if not self.is_value_of_row(number, trace, called):
-            parts.append(called.gave)
-        return f"{called.name} {'; it '.join(parts)}" if parts else ""
-
-    def turns_with_calls(self, turns: list[int], number: int) -> list[int]:
-        """Return the turns of a statement whose calls are shown, of those that have some."""
-        in_question = 0 if self.index is None else self.index + 1
-        if len(self.watch.statements[number].loops) == 1 and in_question in turns:
-            return [in_question]
-        if len(turns) > MOST_CALLS:
-            return [*turns[: MOST_CALLS - 1], turns[-1]]
-        return turns
-
-    def is_value_of_row(self, number: int, trace: Trace, called: Called) -> bool:
-        """Return whether the result of a call stands in its row already."""
-        node = self.node(number)
-        is_whole = isinstance(getattr(node, "value", None), ast.Call)
-        if not is_whole or isinstance(node, ast.AugAssign):
-            return False
-        return called.says_result and len(trace.calls) == 1 and bool(trace.values)
+COLUMNS = 80  # of a terminal
+INDENT = 6  # columns of the number of a line
+CODE = 34  # columns of a short line of code: the values of all short lines stand below each other
+MOST_TEXTS = 3  # that a statement gave in one turn
+MOST_CODE = 2  # lines of the code of a row
+MOST_LINES = 3  # of the values of a row
+FEW_TURNS = 4
+# In this order, the rows of helpers, or the own ones, get at most this number of lines
+CUTS = (True, 2), (True, 1), (False, 2), (True, 0), (False, 1), (False, 0)
+MOST_HELPERS = 2  # functions that are shown below the first one
 
 
-def rows_of(
-    watch: Watch,
-    calls: list[WatchedCall],
-    marks: dict[int, str] | None = None,
-    index: int | None = None,
-) -> list[Row]:
-    """Return the rows of these watched calls, with a title above those of each but the first.
+class Wanted(NamedTuple):
+    """What a table is about: the values that are wrong."""
 
-    marks has what is said of a statement with a wrong value. index is that of the turn in question,
-    from 0, or None.
-    """
-    stops = stops_in(watch)
-    rows: list[Row] = []
-    for call in calls:
-        if rows:
-            name = watch.name_of(call)
-            if call.file != calls[0].file:
-                name = f"{name} in {os.path.basename(call.file)}"
-            same = watch.calls_of(call)
-            which = f" (call {1 + same.index(call)} of {len(same)})" if len(same) > 1 else ""
-            title = f"{' ' * INDENT}Your function {name}, called there{which}:"
-            rows.append(Row(Kind.TITLE, call.definition, [title]))
-        rows += Table(watch, call, stops.get(call), marks, index).rows()
+    keys: frozenset[Key] = frozenset()  # of the cells that have them
+    names: frozenset[Any] = frozenset()  # of such values, also elsewhere: "omega"
+    is_wrong: Callable[[Any], bool] = lambda value: False
+    error: BaseException | None = None  # that has stopped the call
+
+
+class Row(NamedTuple):
+    """A statement, and what it gave, as lines that are shown or left out together."""
+
+    texts: list[str]
+    rank: int  # a row with a higher rank is left out first, and one with 0 never
+    title: list[str] = []  # above the rows of a helper
+
+
+def rows_of(trace: Trace, wanted: Wanted) -> list[Row]:
+    """Return the rows of the first call, and below them those of the functions that it calls."""
+    if not trace.calls:
+        return []
+    wanted = wanted._replace(error=trace.error)
+    first = trace.calls[0]
+    helpers: dict[str, list[Call]] = {}
+    for call in trace.calls:
+        if call.code is not first.code:
+            helpers.setdefault(call.name, []).append(call)
+    shown = [most_telling(calls, wanted) for calls in helpers.values()]
+    shown.sort(key=lambda call: not is_telling(call, wanted))
+    rows = rows_of_call(first, wanted, trace.is_full)
+    for call in shown[:MOST_HELPERS]:
+        title = wrap(f"Your function {call.head}, called there:", COLUMNS - 4)
+        for row in rows_of_call(call, wanted, trace.is_full):
+            rows.append(row._replace(title=[f"    {text}" for text in title]))
     return rows
+
+
+def sets(visit: Visit, wanted: Wanted) -> bool:
+    """Return whether a statement has set a wrong value, or has stopped."""
+    is_stop = visit.error is not None and visit.error is wanted.error
+    return is_stop or not wanted.keys.isdisjoint(visit.keys)
+
+
+def gives(visit: Visit, wanted: Wanted) -> bool:
+    """Return whether a statement gave a wrong value."""
+    return any(map(wanted.is_wrong, visit.values))
+
+
+def has_name(visit: Visit, wanted: Wanted) -> bool:
+    """Return whether a statement has set a value like the wrong one."""
+    return any(name in wanted.names for _, name in visit.keys)
+
+
+def is_telling(call: Call, wanted: Wanted) -> bool:
+    """Return whether a call has set or given a wrong value."""
+    return any(sets(visit, wanted) or gives(visit, wanted) for visit in call.all_visits())
+
+
+def most_telling(calls: list[Call], wanted: Wanted) -> Call:
+    """Return the last call that has set a wrong value, else the last one that gave it.
+
+    If there is none, return the first one.
+    """
+    for does in (sets, gives):
+        for call in reversed(calls):
+            if any(does(visit, wanted) for visit in call.all_visits()):
+                return call
+    return calls[0]
+
+
+def rows_of_call(call: Call, wanted: Wanted, is_full: bool) -> list[Row]:
+    """Return a row for each statement of a call."""
+    last = [visit for visit in call.all_visits() if sets(visit, wanted)][-1:]
+    lines = sorted({statement.lineno for statement in call.statements.values()})
+    rows = []
+    for i, line in enumerate(lines):
+        visits = call.visits.get(line, [])
+        telling = [visit for visit in visits if visit in last or gives(visit, wanted)]
+        like = [visit for visit in visits if has_name(visit, wanted)]
+        values = values_of(visits, telling, wanted)
+        if not visits and not is_full:
+            values = "(never ran)"
+        is_here = is_full and call.is_open and call.line == line
+        if is_here:
+            values += " <- not watched further"
+        texts = laid_out(call, line, values, calls_in([*telling[-1:], *like]))
+        from_the_ends = min(i, len(lines) - 1 - i) + 1
+        rank = from_the_ends if like else from_the_ends + len(lines)
+        rows.append(Row(texts, 0 if telling or is_here else rank))
+    return rows
+
+
+def values_of(visits: list[Visit], telling: list[Visit], wanted: Wanted) -> str:
+    """Return what a statement gave: in the first turns, the last one that is telling, the last."""
+    said = [visit for visit in visits if visit.texts or visit.error]
+    texts = [text_of(visit, wanted) for visit in said]
+    if len(texts) > 1 and len({*texts}) == 1:
+        return f"{texts[0]}, {len(texts)} times"
+    name = texts[0].partition(" = ")[0] + " = " if texts else ""
+    are_single = all(len(visit.texts) == 1 for visit in said)
+    if are_single and all(text.startswith(name) for text in texts):
+        texts[1:] = [text.removeprefix(name) for text in texts[1:]]
+    kept = [*said[:2], *telling[-1:], *said[-1:]]
+    shown: list[str] = []
+    for visit, text in zip(said, texts, strict=True):
+        if visit in kept or len(said) <= FEW_TURNS:
+            shown.append(text)
+        elif shown[-1] != "...":
+            shown.append("...")
+    return " | ".join(shown)
+
+
+def text_of(visit: Visit, wanted: Wanted) -> str:
+    """Return what a statement gave in one turn."""
+    texts = visit.texts[:MOST_TEXTS]
+    if len(visit.texts) > MOST_TEXTS:
+        texts.append("...")
+    text = ", ".join(texts)
+    if visit.error:
+        word = "<- stops here" if visit.error is wanted.error else "stopped"
+        text = f"{text} {word}: {type(visit.error).__name__}".strip()
+    return text
+
+
+def calls_in(visits: list[Visit]) -> list[str]:
+    """Return the calls of functions that are not shown below, in the first of these turns."""
+    for visit in visits:
+        if visit.calls:
+            return [result_of(call, visit) for call in visit.calls[:2]]
+    return []
+
+
+def result_of(call: Call, visit: Visit) -> str:
+    """Return a call with what it gave, if that is not said before."""
+    is_said = any(text.endswith(f" {call.gave}") for text in visit.texts)
+    return call.head if is_said or not call.gave else f"{call.head} gives {call.gave}"
+
+
+def laid_out(call: Call, line: int, values: str, calls: list[str]) -> list[str]:
+    """Return a row as lines: values behind the code if they fit, else below it."""
+    statement = call.statements[line]
+    file = call.code.co_filename
+    code = linecache.getline(file, line).strip()
+    if call.statements.get(line + 1) is statement:
+        code = ast.unparse(statement).partition("\n")[0]
+    indent = indent_of(file, line) - min(indent_of(file, other) for other in call.statements)
+    begin = f"{line:>{INDENT}}  {' ' * indent}"
+    start, *more = below(code, begin, 1 if calls else MOST_CODE)
+    column = INDENT + 2 + CODE
+    if len(start) > column or column + 2 + len(values) > COLUMNS:
+        column = len(start)
+    texts = [f"{start:<{column}}  {values}".rstrip()]
+    if more or len(texts[0]) > COLUMNS:
+        texts = [start, *more, *below(values)]
+    for text in calls:
+        texts += below(text)
+    return texts
+
+
+def indent_of(file: str, line: int) -> int:
+    """Return how many spaces stand at the beginning of a line."""
+    text = linecache.getline(file, line)
+    return len(text) - len(text.lstrip())
+
+
+def below(text: str, begin: str = "", most: int = MOST_LINES) -> list[str]:
+    """Return a text as lines below a line of code, or behind the beginning of one."""
+    space = " " * (INDENT + 6)
+    return wrap(
+        text,
+        COLUMNS,
+        initial_indent=begin or space,
+        subsequent_indent=space,
+        max_lines=most,
+        placeholder=" ...",
+        break_on_hyphens=False,
+    )
+
+
+def returns_in_loops(trace: Trace) -> list[str]:
+    """Return a sentence for each return in a loop that has ended it."""
+    found = []
+    for call in trace.calls:
+        if isinstance(call.statements.get(call.line), ast.Return):
+            for line, loop in call.statements.items():
+                is_loop = isinstance(loop, (ast.For, ast.While)) and line == loop.lineno
+                if is_loop and line < call.line <= (loop.end_lineno or line):
+                    turn = f"turn {len(call.visits[line])} of the loop in line {line}"
+                    found.append(f"Line {call.line} returns in {turn}, and so ends it.")
+    return [*dict.fromkeys(found)]
+
+
+def fitting(rows: list[Row], height: int) -> tuple[list[str], int]:
+    """Return the lines of the rows for which there is room, and how many rows are left out.
+
+    Rows become shorter before one is left out; see CUTS. Of a helper's rows, or of the own ones,
+    those come first that have set nothing like the wrong value, from the middle.
+    """
+    kept = dict(enumerate(rows))
+    order = sorted(kept, key=lambda i: rows[i].rank, reverse=True)
+    for is_helpers, most in CUTS:
+        for i in order:
+            if len(lines_of([*kept.values()])) <= height:
+                break
+            if rows[i].rank and bool(rows[i].title) == is_helpers:
+                kept[i] = cut(rows[i], most)
+    return lines_of([*kept.values()]), len([row for row in kept.values() if not row.texts])
+
+
+def cut(row: Row, most: int) -> Row:
+    """Return a row with at most this number of lines; if others are left out, the last says so."""
+    texts = row.texts[:most]
+    if texts and len(row.texts) > most:
+        texts[-1] = f"{texts[-1].removesuffix(' ...')[: COLUMNS - 4]} ..."
+    return row._replace(texts=texts)
+
+
+def lines_of(rows: list[Row]) -> list[str]:
+    """Return rows as lines, with the title of each helper above its first one."""
+    lines: list[str] = []
+    title: list[str] = []
+    for row in rows:
+        if row.texts and row.title != title:
+            title = row.title
+            lines += title
+        lines += row.texts
+    return lines

@@ -1,7 +1,6 @@
 """A class of solutions, and the program that grades it. conftest.py takes over the fixtures."""
 
 import csv
-import json
 import os
 import subprocess
 import sys
@@ -39,9 +38,6 @@ GRADE = {
     "text": [],
     "final": True,
 }
-# In place of each run, for what a class does with its end
-AT_ONCE = f"runners.Runner.run_package = lambda *_: (1, {json.dumps(GRADE).encode()})\n"
-
 SLEEPING = f"{10**9 + os.getpid()}"  # seconds that no other process sleeps
 # A solution that leaves a process, which no group has; once, although the program imports it again.
 LEAVES = f"""
@@ -84,12 +80,12 @@ class Classroom:
     def hand_in(self, student, files):
         put_files(self.folder / "class" / student / "src", files)
 
-    def start(self, *options, first=""):
+    def start(self, first=""):
         """Start the program; it runs the Python code in first before the rest."""
         code = f"{FAST}{first}\ngrade_class.main()"
         command = [sys.executable, "-c", code, "class", "--starter", str(self.starter)]
         return subprocess.Popen(
-            [*command, *self.how, *options],
+            [*command, *self.how],
             cwd=self.folder,
             env={**os.environ, "TMPDIR": str(self.work), "PYTHONPATH": str(ROOT / "tests")},
             text=True,
@@ -97,9 +93,9 @@ class Classroom:
             stderr=subprocess.PIPE,
         )
 
-    def grade(self, *options, first=""):
+    def grade(self, first=""):
         """Grade the class; return the status, and the output on stdout and stderr."""
-        process = self.start(*options, first=first)
+        process = self.start(first)
         printed, errors = process.communicate(timeout=10 * SECONDS)
         return process.returncode, printed, errors
 

@@ -5,110 +5,86 @@ conftest.py takes over the fixture.
 
 import ast
 import linecache
-import sys
-from importlib import import_module
-from inspect import Signature, signature
-from math import cos, sin
-from pathlib import Path
+from functools import partial
 from textwrap import dedent, indent
 
 from grading.begin import ROOT
 
 import pytest
 from right_solutions import PLAIN
-from vpython import vector
 
-from grading import grader, limits
-from grading.grader import checks
-from grading.handout import FUNCTIONS, HONOR, needed, PROGRAM, SUITES
+from grading.grader import Grader
+from grading.handout import FUNCTIONS, needed, PROGRAM
+from grading.limits import Limits
 from grading.outcomes import FAILED, Grading, Outcome, PASSED
-from grading.students_code import module_of
+from line_by_line.trace import Trace
 from support.files import source_files
 
-# All modules are imported first: one that is imported later would keep a solution of a test.
-MODULES = {name: import_module(module_of(function.file)) for name, function in FUNCTIONS.items()}
+# No row of the tables needs to import these names.
+IMPORTS = "from math import cos, sin; from vpython import vector"
 
-# No row of the tables needs to import these names. The text of a file follows in the same line.
-IMPORTS = "from math import cos, sin; from vpython import vector; "
-
-CHECKS = [check for tier in SUITES for check in checks(tier=tier)]
+GRADER = Grader()
+CHECKS = [*GRADER.checks.values()]
 
 
-class Sources:
-    """The files of src/ with the versions of a test in them, as a run of the program finds them."""
+def with_body(text, function, body):
+    """Return the text of a file of src/ with another body of a function, or of the program's block.
 
-    def __init__(self, monkeypatch):
-        self.monkeypatch = monkeypatch
-        self.texts = {}
-        self.plain_code_of = source_files.code_of
-        monkeypatch.setattr(source_files, "code_of", self.code_of)
-
-    def code_of(self, file):
-        if file not in self.texts:
-            return self.plain_code_of(file)
-        self.keep_lines(file, self.texts[file])
-        return compile(self.texts[file], file, "exec", dont_inherit=True)
-
-    def keep_lines(self, file, source):
-        """Let messages have the lines of a source."""
-        entry = len(source), None, source.splitlines(keepends=True), file
-        self.monkeypatch.setitem(linecache.cache, file, entry)
-
-    def put(self, function, source):
-        """Put a function, or the program's block, into the text of its file."""
-        file = str(ROOT / FUNCTIONS[function].file)
-        text = self.texts.get(file) or IMPORTS + Path(file).read_text(encoding="utf-8")
-        nodes = {getattr(node, "name", PROGRAM): node for node in ast.parse(text).body}
-        node = nodes[function]  # of those without a name, it is the last one
-        lines = text.splitlines()
-        lines[node.lineno - 1 : node.end_lineno] = source.splitlines()
-        self.texts[file] = "\n".join(lines)
+    A function stands at the top, so that its def line is line 1.
+    """
+    nodes = {getattr(node, "name", PROGRAM): node for node in ast.parse(text).body}
+    node = nodes[function]  # of those without a name, it is the last one
+    lines = text.splitlines()
+    del lines[node.lineno - 1 : node.end_lineno]
+    body = indent(dedent(body), "    ")
+    if function == PROGRAM:
+        return "\n".join([IMPORTS, *lines, 'if __name__ == "__main__":', body])
+    return "\n".join([f"def {function}({ast.unparse(node.args)}):", body, IMPORTS, *lines])
 
 
 @pytest.fixture
 def solve(monkeypatch):
-    """A function that replaces a function by a version from the tables, wherever it is used.
+    """A function that puts a version from the tables in place of a function, wherever it is used.
 
-    PROGRAM stands for the program's block.
+    PROGRAM stands for the program's block. No trace may have a fault: a student would not see it.
     """
-    monkeypatch.setattr(limits, "PATIENCE", 60.0)  # a busy machine can stall for seconds
-    modules = [module for name, module in sys.modules.items() if name.startswith("src.")]
-    shipped = str(grader.runner.shipped)
-    monkeypatch.setattr("support.constants.NC_FP", shipped)
-    monkeypatch.setattr(import_module("src.pds_helper").write_to_csv, "__defaults__", (shipped,))
-    sources = Sources(monkeypatch)
+    texts = {}
+    faults = []
+    code_of = source_files.code_of
+
+    def code_of_text(file):
+        if file not in texts:
+            return code_of(file)
+        entry = len(texts[file]), None, texts[file].splitlines(keepends=True), file
+        monkeypatch.setitem(linecache.cache, file, entry)  # the lines in messages
+        return compile(texts[file], file, "exec", dont_inherit=True)
 
     def solve(function, version):
-        body = version
         if isinstance(version, tuple):
-            old, new = version
-            assert old in PLAIN[function]
-            body = PLAIN[function].replace(old, new)
-        body = indent(dedent(body), "    ")
-        if function == PROGRAM:
-            sources.put(PROGRAM, f'if __name__ == "__main__":\n{body}')
-            return
-        parameters = f"({FUNCTIONS[function].parameters})"
-        original = getattr(MODULES[function], function)
-        if FUNCTIONS[function].tier == HONOR:  # some of its parameters have a default value
-            parameters = signature(original).replace(return_annotation=Signature.empty)
-        source = f"def {function}{parameters}:\n{body}"
-        sources.put(function, source)
-        file = str(ROOT / "src" / f"my_{function}.py")  # there is none, but messages have its lines
-        sources.keep_lines(file, source)
-        scope = vars(MODULES[function])
-        for name, value in {"cos": cos, "sin": sin, "vector": vector, **scope}.items():
-            monkeypatch.setitem(scope, name, value)
-        defined = {}
-        exec(compile(source, file, "exec"), scope, defined)
-        for module in modules:
-            if vars(module).get(function) is original:
-                monkeypatch.setattr(module, function, defined[function])
+            assert version[0] in PLAIN[function]
+            version = PLAIN[function].replace(*version)
+        path = ROOT / FUNCTIONS[function].file
+        text = texts.get(f"{path}") or path.read_text(encoding="utf-8")
+        texts[f"{path}"] = with_body(text, function, version)
+        source_files.forget(source_files.source_modules())
 
-    return solve
+    monkeypatch.setattr(source_files, "code_of", code_of_text)
+    fault = property(lambda _: None, lambda _, fault: faults.append(fault))
+    monkeypatch.setattr(Trace, "fault", fault, raising=False)
+    with source_files.fresh_modules():
+        yield solve
+    for fault in filter(None, faults):
+        raise fault
 
 
-def outcomes_of(function, users=True) -> dict:
+def new_grading(**limits):
+    """Return a Grading with these limits; the others are wide: a busy machine can stall."""
+    wide = {"end": pytest.fail, "patience": 60, "waiting": 600}
+    GRADER.new_limits = partial(Limits, False, **{**wide, **limits})
+    return Grading(GRADER)
+
+
+def outcomes_of(function, users=True, **limits) -> dict:
     """Return the outcome of each check of this function; all others are passed.
 
     users: also those of the functions that use it.
@@ -118,11 +94,11 @@ def outcomes_of(function, users=True) -> dict:
         for check in CHECKS
         if check.function == function or users and function in needed(check.function)
     ]
-    grading = Grading()
+    grading = new_grading(**limits)
     grading.outcomes = {check.name: Outcome(PASSED) for check in CHECKS if check not in judged}
     return {check: grading.judge(check) for check in judged}
 
 
-def failures(function) -> list:
-    outcomes = outcomes_of(function, users=False).values()
+def failures(function, **limits) -> list:
+    outcomes = outcomes_of(function, users=False, **limits).values()
     return [outcome for outcome in outcomes if outcome.state == FAILED]

@@ -36,7 +36,6 @@ for process in begun:
 assert 0 < len(begun) < 12
 """,
     "prints 10 MB": "print('x' * 10**7)",
-    "closes the output": "sys.stdout.close()\nsys.stderr.close()",
     "makes warnings errors": """
 import warnings
 warnings.simplefilter('error')
@@ -51,21 +50,12 @@ assert calls.prctl(39, 0, 0, 0, 0) == 1  # it gets no rights
 assert os.getuid() == os.getgid() == 65534
 assert not [line for line in open('/proc/self/status') if line[:3] == 'Cap' and int(line[8:], 16)]
 assert calls.unshare(0x10000000) == calls.unshare(0x20000) == -1
-assert calls.mount(b'none', b'/cradle', b'tmpfs', 0, None) == -1
-for path in ('/a', '/tmp/a', '/autograder/source/a', '/etc/passwd', '/proc/sysrq-trigger'):
-    assert error_of(open, path, 'w')
-for path in ('/proc/sys/kernel/core_pattern', '/sys/fs/cgroup/a', '/dev/kmsg', '/dev/mem'):
+for path in ('/a', '/tmp/a', '/autograder/source/a', '/etc/passwd', '/proc/sysrq-trigger',
+             '/proc/sys/kernel/core_pattern', '/sys/fs/cgroup/a', '/dev/kmsg', '/dev/mem'):
     assert error_of(open, path, 'w')
 assert {int(n) for n in os.listdir('/proc') if n.isdigit()} <= {*range(1, 60)}
 for name in ('CORE', 'CPU', 'FSIZE', 'NOFILE', 'NPROC'):
-    number = getattr(resource, f'RLIMIT_{name}')
-    most = resource.getrlimit(number)[1]
-    assert most != resource.RLIM_INFINITY
-    try:
-        resource.setrlimit(number, (most + 1, most + 1))
-        sys.exit(name)
-    except (OSError, ValueError):
-        pass
+    assert resource.getrlimit(getattr(resource, f'RLIMIT_{name}'))[1] != resource.RLIM_INFINITY
 assert not any(v for n, v in os.environ.items() if 'proxy' in n.lower())
 """,
 }

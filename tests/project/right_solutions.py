@@ -108,6 +108,7 @@ RIGHT = {
         "keys of its own": ("pend['omega'] = 0", "pend['omega'] = 0; pend['number'] = i + 1"),
     },
     "angle_update": {
+        "breakpoints, and nobody debugs": ("omega_new =", "breakpoint(); __import__('pdb').set_trace(); omega_new ="),
         "numpy's sin": ("sin(", "__import__('numpy').sin("),
         "the formulas put together": ("omega_new * dt", "dt * omega - dt * dt * g * sin(theta) / r_param"),
         "a named tuple": ("return (", "return __import__('collections').namedtuple('Angles', 'omega theta')("),

@@ -3,6 +3,7 @@
 import json
 import re
 import shutil
+from collections import Counter
 from textwrap import dedent, indent
 
 import pytest
@@ -10,14 +11,14 @@ from make_starter import make_starter
 from programs import python
 from right_solutions import PLAIN
 
-from grading.grader import checks
-from grading.handout import FUNCTIONS, PROGRAM, SUITES
+from grading.checks import collect
+from grading.handout import FUNCTIONS, PROGRAM
+from line_by_line.table import COLUMNS
 
-COUNTS = {tier: len(checks(tier=tier)) for tier in SUITES}
+COUNTS = Counter(check.tier for check in collect()[0].values())
 
 # Without a plugin that takes longer to import than the checks take; a student does not have it.
 PYTEST = "-m pytest -p no:cacheprovider -p no:hypothesispytest"
-COLUMNS = 80
 
 # The lines of the program; a student writes the first and the last one.
 MAKE, LOOP, TICK = map(str.strip, PLAIN[PROGRAM].splitlines())

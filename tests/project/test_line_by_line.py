@@ -1,255 +1,159 @@
-"""What functions did, line by line: here, functions about books. No course is needed for it."""
+"""What functions did, line by line. No course is needed for it."""
 
 import linecache
-import os
+import re
+import sys
+from contextlib import suppress
 from textwrap import dedent
+from unittest.mock import Mock
 
 import pytest
 from programs import python, ROOT
 
-from line_by_line import words
-from line_by_line.instrument import put_back, watched
-from line_by_line.state import state_of
-from line_by_line.table import rows_of
-from line_by_line.watch import Watch
-from line_by_line.words import Noun
+from line_by_line.table import fitting, Row, rows_of, Wanted
+from line_by_line.trace import EndlessError, Trace
+from line_by_line.words import Words
 
-BOOKS = [{"pages": 100}, {"pages": 50}, {"pages": 80}]
-
-
-def functions_in(source, file="books.py"):
-    """Return the functions of a source, by their names."""
-    source = f"{dedent(source)}\n"
-    linecache.cache[file] = len(source), None, source.splitlines(keepends=True), file
-    scope = {"__name__": "books"}
-    exec(compile(source, file, "exec"), scope)
-    return {name: value for name, value in scope.items() if hasattr(value, "__code__")}
-
-
-def watch_call(source, *arguments, index=None):
-    """Call the first function of a source; return its Watch, and its rows with single spaces."""
-    functions = [*functions_in(source).values()]
-    watch = Watch()
-    with watched(functions, watch):
-        watch.begin(arguments)
-        try:
-            functions[0](*arguments)
-        except Exception as error:
-            watch.error = error
-    first: dict = {}
-    for call in watch.calls.values():
-        first.setdefault(call.definition, call)
-    rows = rows_of(watch, [*first.values()], index=index)
-    return watch, " ".join(" ".join(" ".join(row.texts) for row in rows).split())
-
-
-# The source, and a part of the rows; the first function gets BOOKS
+FILE = "lists.py"
+HEAD = "    def first(a):\n"
+# What stands below HEAD; a is [[1], [2]]. The comments say what a row has behind its code, or, of a
+# helper, its call. A line without a comment has no row. Wrong are a[1][0] and 2.5.
 ROWS = {
-    "the turns in which a line ran": (
-        """\
-        def first(books):
-            result = []
-            for i in range(len(books)):
-                if i == 1:
-                    result.append(books[i])
-                else:
-                    result = result
-            return result""",
-        "3 for i in range(len(books)): 0 | 1 | 2 4 if i == 1: 0 == 1 False | 1 == 1 True | 2 == 1 "
-        "False 5 result.append(books[i]) - | a list of 1 dictionary | - 7 result = result "
-        "[ ], empty | - | a list of 1 dictionary 8 return result gives a list of 1 dictionary",
-    ),
-    "equal turns once": (
-        """\
-        def first(books):
-            for book in books:
-                book["price"] = price(book)
-        def price(book):
-            return 5""",
-        '3 book["price"] = price(book) 5, in each turn turn 1: price got book = books[0]',
-    ),
-    "equal calls once": (
-        """\
-        def first(books):
-            for book in books: total(books)
-        def total(shelf): return shelf[0]["pages"]""",
-        "total got shelf = books, a list of 3 dictionaries, in each turn",
-    ),
-    "a function of a name of its own": (
-        """\
-        def first(books):
-            def half(x):
-                return x / 2
-            return half(books[0]["pages"])""",
-        "gives 50 half got x = 100 Your function half, called there: 3 return x / 2 gives 50",
-    ),
-    "conditions with their values": (
-        """\
-        def first(books):
-            found = []
-            while not found and 2 > len(found) > -1:
-                found.append(5)
-            return found[0]""",
-        "not [ ], empty and 2 > 0 > -1 True | not [5] False",
-    ),
-    "no turn, and the else of a loop": (
-        """\
-        def first(books):
-            for i in range(0): g = i
-            else: g = 7
-            return g""",
-        "2 for i in range(0): no turn 2 g = i (never ran) 3 g = 7 g = 7",
-    ),
-    "where it stopped, the values there, and who gave them": (
-        """\
-        def first(books):
-            list = []
-            if list: return 1
-            print(5)
-            return list(books)""",
-        "5 return list(books) <- stops here: TypeError list is [ ], empty, a list: line 2 gave it "
-        "this value; Python's own list has this name, too books is a list of 3 dictionaries",
-    ),
-    "a name that has no value yet": (
-        """\
-        def first(books):
-            total = total + len(books)""",
-        "books is a list of 3 dictionaries total has no value yet: line 2 gives it one, so total "
-        "is a name of this function alone",
-    ),
-    "the keys of a dictionary that lacks one": (
-        """\
-        def first(books):
-            return books[0]["price"]""",
-        "stops here: KeyError the keys of books[0] are 'pages'",
-    ),
-    "a value that was not taken apart": (
-        """\
-        def first(books):
-            a, b = books""",
-        "stops here: ValueError the value is a list of 3 dictionaries",
-    ),
-    "the helper that stopped": (
-        """\
-        def first(books):
-            for book in books: price(book)
-        def price(book):
-            b = None
-            return b * book["pages"]""",
-        "2 price(book) <- stops here: TypeError price got book = books[0] Your function price, "
-        'called there: 4 b = None b = None 5 return b * book["pages"] <- stops here: TypeError '
-        "b is None: line 4 gave it this value book['pages'] is 100",
-    ),
-    "an error that an except takes": (
-        """\
-        def first(books):
-            try:
-                a = 1 / 0
-            except ZeroDivisionError:
-                a = 0
-            return a""",
-        "3 a = 1 / 0 stopped: ZeroDivisionError 4 except ZeroDivisionError: line 3 stopped with "
-        "ZeroDivisionError: division by zero; this except takes it",
-    ),
-    "an error that nobody told": (
-        """\
-        def first(books):
-            from contextlib import suppress
-            with suppress(Exception):
-                a = 1 / 0
-            return 1""",
-        "4 a = 1 / 0 (did not come to its end)",
-    ),
-    "a call in a turn that an except ended is no call of the next turn": (
-        """\
-        def first(books):
-            r = 0
-            for i in range(2):
-                try: r += part(i)
-                except ZeroDivisionError: pass
-        def part(x): return 6 / x""",
-        "4 r += part(i) - | 6 turn 2: part got x = 1; it gave 6",
-    ),
-    "a long loop": (
-        """\
-        def first(books):
-            for i in range(20000): a = i
-            return a""",
-        "turns: not watched further) 2 a = i 0 | 1 | ... |",
-    ),
-    "a value that is not stored": (
-        """\
-        def first(books):
-            sorted([2, 1])""",
-        "2 sorted([2, 1]) gives [1, 2], which is not stored",
-    ),
-    "an object that would answer otherwise if it was asked again": (
-        """\
-        def first(books):
-            c = Count()
-            c["x"] = 4
-            return c.n
-        class Count(dict):
-            n = 0
-            def __getitem__(self, key): self.n += 1""",
-        "4 return c.n gives 0",
-    ),
-    "as much of a long line as there is room for, and a sign that it goes on": (
-        f"""\
-        def first(books):
-            w = {" + ".join(["len(books)"] * 30)}""",
-        "+ len(books) + ... w = 90",
-    ),
+    "values": """\
+     s = Shelf(0.1 + 0.2)  # s = Shelf(n=0.3)
+     a[1][0] = half(4) + s.n  # a[1][0] = 2.3 half(n=4) gives 2
+     b = {}  # b = {}
+     b["n"] = s.add(a.pop())  # b["n"] = None, s.n = 2.3, a = [[1]]
+    class Shelf:
+     def __init__(self, n):  # Shelf.__init__(n=0.3)
+      self.n = n  # self.n = 0.3
+     def add(self, more):  # Shelf.add(more=a[1])
+      self.n += 2  # self.n = 2.3
+    def half(n): return n / 2""",
+    "conditions": """\
+     n = iter(a)  # n = a list_iterator
+     if [1] in n:  # True
+      n = 3  # n = 3
+     if n < 3 or n:  # 3 < 3 or 3: True
+      n = (  #! n = n + 2 n = 5
+       n + 2)
+     if not n < 5 and n < 5:  # not 5 < 5 and 5 < 5: False
+      n = 1  # (never ran)
+     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]""",
+    "turns": """\
+     for i in range(9):  # i = 0 | 1 | ... | 8
+      put(a[i < 7], i)  # a[1][0] = 0 | a[1][0] = 1 | ... | a[1][0] = 6 | ... | a[0][0] = 8
+      n = 0  # n = 0, 9 times
+    def put(b, i):  # put(b=a[1], i=6)
+     b[0] = i  # b[0] = 6""",
+    "errors": """\
+     try:
+      n = 6 / 0  # stopped: ZeroDivisionError
+     except ZeroDivisionError:
+      n = 6  # n = 6
+     fail(n)  # <- stops here: TypeError
+    def fail(n):  # fail(n=6)
+     return n * None  # <- stops here: TypeError""",
+    "functions": """\
+     b = [*map(lambda n: n / 1, [n for [n] in a])]  # b = [1, 2]
+     c = Pool().submit(list, more([8])).result()  # c = [8.5]
+     return [*more(b)]  # gives [1.5, 2.5]
+    from concurrent.futures import ThreadPoolExecutor as Pool
+    def each(f):
+     def of(all):  # of(all=b)
+      for n in all:  # n = 1 | 2
+       yield f(n)  # gives 1.5 | gives 2.5
+     return of
+    @each
+    def more(n):  # more(n=2)
+     return n + 0.5  # gives 2.5""",
+    "900 calls": """\
+     return len(a) < 900 and first([*a, 1])  # gives False""",
+    "no end": """\
+     return first(a)  # <- stops here: RecursionError""",
+    "100,000 turns": """\
+     for i in range(100_000): pass  # i = 0 | 1 | ... | 9998 <- not watched further
+     return i  #""",
 }
+
+
+def expected_words(source):
+    """Return the words of the rows that the comments of a source want."""
+    words = []
+    for number, line in enumerate(source.splitlines(), 2):
+        code, has_row, values = line.partition("#")
+        row = f"{number} {code} {values}"
+        if values.startswith("!"):  # the code is written in another form
+            row = f"{number} {values[1:]}"
+        if "def " in code:
+            row = f"Your function{values}, called there:"
+        if has_row:
+            words += row.split()
+    return words
+
+
+def trace_of(source, a, is_endless=False):
+    """Return the Trace of a call of the first function."""
+    source = dedent(HEAD + re.sub("#.*", "", source))
+    linecache.cache[FILE] = len(source), None, source.splitlines(True), FILE
+    scope = {"__name__": "lists"}
+    exec(compile(source, FILE, "exec"), scope)
+    trace = Trace(
+        Words(),
+        lambda code: code.co_filename == FILE and code.co_name != "half",
+        lambda code: code.co_name == "half",
+        is_endless,
+    )
+    with suppress(Exception), trace.on():
+        scope["first"](a)
+    return trace
+
+
+def rows_in(name):
+    """Return the rows of one of ROWS."""
+    a = [[1], [2]]
+    key = id(a[1]), 0
+    trace = trace_of(ROWS[name], a)
+    assert trace.fault is None
+    return rows_of(trace, Wanted({key}, {0}, lambda value: value == 2.5))
 
 
 @pytest.mark.parametrize("name", ROWS)
 def test_the_rows_say_what_each_line_did(name):
-    source, expected = ROWS[name]
-    _, found = watch_call(source, [dict(book) for book in BOOKS])
-    assert expected in found
+    lines, _ = fitting(rows_in(name), 99)
+    assert " ".join(lines).split() == expected_words(ROWS[name])
 
 
-def test_of_many_turns_some_are_shown_and_the_one_in_question():
-    source = """\
-        def first(books):
-            for i in range(9): a = i + 0.25"""
-    _, found = watch_call(source, BOOKS, index=5)
-    assert "2 for i in range(9): 0 | 1 | ... | 5 | ... | 8 (9 turns)" in found
+def test_left_out_are_helpers_then_what_is_not_like_the_wrong_value_from_the_middle():
+    rows = rows_in("values")
+    lines, left_out = fitting(rows, 4)
+    assert [line[:8].strip() for line in lines] == ["2", "3", "", "5"]
+    assert left_out == 3
+    assert fitting([Row(["1", "2", "3"], 1)], 2) == (["1", "2 ..."], 0)
 
 
-REMARKS = {
-    "n = 7 // 2": "Line 2 cuts off the digits after the point: // gives 3, / gives 3.5.",
-    "shelf = [{}] * 3": "Line 2 puts one dictionary in the list 3 times.",
-    "books = books.sort(key=len)": "Line 2 stores None: books.sort gives nothing back.",
-    "i = [{}, books[0], dict(books[0])].index(books[0])": None,
-    "shelf = [books[0], dict(books[0])]; i = shelf.index(shelf[1])": (
-        "Line 2 gets 0: index finds the first equal element. This one has 1."
-    ),
-    "n = 6 // 2; m = [1] * 3; books.sort(key=len)": None,
-}
+def test_a_call_without_end_is_ended_by_the_trace():
+    with pytest.raises(EndlessError):
+        trace_of("     while a: pass", [1], is_endless=True)
 
 
-@pytest.mark.parametrize("line", REMARKS)
-def test_what_few_expect_has_a_sentence(line):
-    watch, _ = watch_call(f"def first(books):\n    {line}", [dict(BOOKS[0])])
-    assert [*watch.remarks] == [remark for remark in [REMARKS[line]] if remark]
+def test_a_fault_of_the_trace_is_not_the_functions(monkeypatch):
+    fault = ZeroDivisionError()
+    monkeypatch.setattr(Trace, "look_at", Mock(side_effect=fault))
+    a = []
+    assert trace_of("     a.append(3)", a).fault is fault
+    assert a == [3]
 
 
-def test_an_interrupt_does_not_leave_other_code_in_the_functions():
-    class Interrupted:
-        __globals__: dict = {}
-        codes: list = []
-
-        def __setattr__(self, name, code):
-            self.codes.append(code)
-            if len(self.codes) == 1:
-                raise KeyboardInterrupt
-
-    first, second = Interrupted(), Interrupted()
-    with pytest.raises(KeyboardInterrupt):
-        put_back({first: 1, second: 2})
-    assert Interrupted.codes == [2, 2, 1]
+def test_a_trace_function_that_was_there_before_works_on():
+    """As of a debugger, or for the coverage of tests."""
+    before, other = sys.gettrace(), Mock()
+    sys.settrace(other)
+    try:
+        trace_of("     return", [])
+        assert sys.gettrace() is other
+    finally:
+        sys.settrace(before)
 
 
 README = (ROOT / "tests/line_by_line/README.md").read_text(encoding="utf-8")
@@ -257,46 +161,7 @@ README = (ROOT / "tests/line_by_line/README.md").read_text(encoding="utf-8")
 
 def test_the_readme_shows_what_its_lines_print(tmp_path):
     """For functions about books, with nothing but this package."""
-    source = """\
-def total(books):
-    result = 0
-    for book in books:
-        result = result + price(book)
-    return result
-
-def price(book):
-    return book["pages"] / 10
-"""
-    (tmp_path / "books.py").write_text(source)
-    code, _, shown = README.partition("prints, for two")
-    lines = [line[4:] for line in code.splitlines() if line.startswith("    ") or not line]
-    path = f"{ROOT / 'tests'}{os.pathsep}{tmp_path}"
-    done = python("-c", "\n".join(lines), PYTHONPATH=path)
-    assert done.stderr == ""
-    assert shown.partition("How it works")[0].split("\n\n")[1] == done.stdout.rstrip()
-
-
-def test_values_that_live_on_have_names():
-    source = """\
-        SHELF = []
-        class Counter:
-            n = 3
-        def first(book, books=[], size=5):
-            SHELF.append(Counter.n)
-            len(book)"""
-    expected = {"the default of books": "[ ], empty", "the default of size": "5"}
-    assert state_of(functions_in(source).values()) == expected | {
-        "SHELF": "[ ], empty",
-        "Counter.n": "3",
-    }
-
-
-def test_another_course_has_its_own_words(monkeypatch):
-    monkeypatch.setattr(words, "NOUNS", [Noun("pages", "book", "books"), *words.NOUNS])
-    monkeypatch.setitem(words.TEXTS, range, lambda value, digits: f"{len(value)} pages")
-    source = """\
-        def first(books):
-            read = range(7)
-            return books"""
-    _, found = watch_call(source, BOOKS)
-    assert "2 read = range(7) read = 7 pages 3 return books gives a list of 3 books" in found
+    books, program, shown, _ = map(dedent, re.findall(r"(?:    .*\n|\n(?=    ))+", README))
+    (tmp_path / "books.py").write_text(books.lstrip())
+    done = python("-c", program, folder=tmp_path, PYTHONPATH=f"{ROOT / 'tests'}")
+    assert (done.stderr, dedent(done.stdout)) == ("", shown.lstrip("\n"))

@@ -5,13 +5,11 @@ from programs import python, slow_except
 from students import PYTEST
 
 SLIPS = {  # words behind python, and a part of what it prints
-    f"{PYTEST} --grade-json no/a.json": "--grade-json: found 'no/a.json', allowed is a file in",
-    f"{PYTEST} --grade-json src": "--grade-json: found 'src', allowed is a file in a folder",
+    f"{PYTEST} --grade-json no/a.json": "--grade-json: no/a.json: No such file or directory",
     f"{PYTEST} src": "The checks are not here. Type pytest in the folder that has tests and src.",
     "tests/test_d.py": "These are checks. Type pytest in this folder to run them.",
     "src/swinging.py": "This file has only functions. Type pytest in this folder",
-    f"{PYTEST} --tier E": "argument --tier: found 'E', allowed is D, C, B, A or honor",
-    f"-O {PYTEST}": "Run pytest without -O, -OO and PYTHONOPTIMIZE: with them",
+    f"{PYTEST} --tier E": "argument --tier: invalid choice: 'E' (choose from",
 }
 
 

@@ -1,200 +1,164 @@
 """Wrong solutions with the mistakes of beginners. The graded suites must reject them all.
 
-HINTED has a mistake for each row of tests/grading/hints.py, and for each known result of the
-suites; OTHERS has more.
+SAID has a mistake for each row of tests/grading/hints.py, for each known result of the suites, and
+for what else a student reads.
 
 A version of a function is the body, or a pair (old text, new text) that puts a mistake into the
 right body in PLAIN. It can use all names of the function's file, and `from ... import ...`.
 """
 
-from right_solutions import PLAIN
-
 from grading.handout import PROGRAM
 
 # A row is a line:
 # fmt: off
-# The first words of each hint, by function, and a mistake that gets it.
-HINTED = {
+# Words of the story, with single spaces, by function, and a mistake that gets them.
+SAID = {
     "extract_and_convert": {
-        "A character that you cannot see": "exec('x = 5\u200b')",
-        "Python reads this character only in": "exec('x = 45\u00b0')",
-        "This file is not saved in": "exec('x\\0')",
-        "Python cannot read this line, or": "exec('a = 5 +')",
-        "There is no such file. The": ("(relative_filepath)", "('my.csv')"),
-        "This is a dictionary for each": ("pend_list.append(pend)", "pend_list += [{key: value} for key, value in pend.items()]"),
-        "These are the single values of": ("pend_list.append(pend)", "pend_list += pend.values()"),
-        "The first element has the index": ("append(pend)", "__getitem__(0); pend_list[0].append(pend)"),
-        "These are the keys of bad_rep.": ("bad_rep.values()", "bad_rep"),
-        "A name without ( ) is": ("return pend_list", "return len"),
-        "The lines of a function begin": "exec('def f():')",
-        "Your files import each other in": "raise ImportError('(most likely due to a circular import)')",
-        "There is no module src.no for": "import src.no",
-        "Write src. in front of the": "import swinging",
-        "Your function calls itself, without end.": "return extract_and_convert(relative_filepath)",
+        "came back at index 0: {'mass': 12.62,": ("filepath)", "filepath).round(2)"),
+        "mixed.csv: mass,e,theta,omega,color,texture 1.5,": ("append(pend)", "append({**pend, 'theta': 0})"),
+        "at the mark (you": "exec('x = 5\u200b')",
+        "Delete the character": "exec('x = 45\u00b0')",
+        "encoding UTF-8.": "exec('x\\0')",
+        "folder of its own:": ("(relative_filepath)", "('newton_cradle_pends.csv')"),
+        "a dictionary for each": ("pend_list.append(pend)", "pend_list += [{key: value} for key, value in pend.items()]"),
+        "the single values": ("pend_list.append(pend)", "pend_list += pend.values()"),
+        "the keys of bad_rep.": (".values()", ""),
+        "A name without ( )": "return len",
+        "Write src. in front": "import swinging",
+        "10 elements, not 40.": ("return pend_list", "return pend_list[:10]"),
+        "RecursionError": "return extract_and_convert(relative_filepath)",
     },
     "uniform_mass_newton_cradle": {
-        "A dictionary needs brackets and quotes,": ("pend['mass'] = mass", "pend.mass = mass"),
+        "brackets and quotes,": ("pend['mass'] =", "pend.mass ="),
+        "names NC_FP: the file": ("(relative_filepath)", "(__import__('support.constants').constants.NC_FP)"),
+        "mass of pend_list[1] is 2.5,": ("in pend_list:", "in pend_list[:1]:"),
     },
-    "uniform_e_newton_cradle": {"A key is text. Write it": ("['e']", "[e]")},
+    "uniform_e_newton_cradle": {
+        "A key is text.": ("['e']", "[e]"),
+        "is 1, not 0.": ("= e_val", "= e_val or 1"),
+    },
+    "elastic_newton_cradle": {"is 0.99, not 1.": (", 1)", ", 0.99)")},
+    "inelastic_newton_cradle": {"is 0.001, not 0.": (", 0)", ", 1e-3)")},
     "make_newton_cradle": {
         "The name COLOR_MAP comes from another": "global COLOR_MAP\ndel COLOR_MAP\nreturn COLOR_MAP",
-        "All bobs are lifted. make_pendulum must": ("r_param, pend['theta']", "r_param, theta_init"),
-        "All pendula have the same objects.": ("pend['objects'] = make_pendulum(axle_pos, r_param, pend['theta'], color, texture)", "pend['objects'] = pend_list[0].get('objects') or make_pendulum(axle_pos, r_param, theta_init, color, texture)"),
+        "All bobs are lifted.": ("r_param, pend['theta']", "r_param, theta_init"),
+        "have the same objects.": ("return", "for pend in pend_list: pend['objects'] = pend_list[0]['objects']\n        return"),
+        "pend_list[0] is None, not a dictionary.": "return [None]",
+        "texture of bob[0] is": ("TEXTURE_MAP[pend['texture']]", "None"),
+        "mass of pend_list[0] is 0.5,": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
+        "theta of pend_list[6] is -2,": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
+        "omega of pend_list[0] is 2,": ("pend['omega'] = 0", ""),
+        "position of axle[0]": ("-0.1 + ", ""),
     },
     "angle_update": {
-        "In Python, ** is a power,": ("g * sin", "g ^ 1.0 * sin"),
-        "No line that ran has given this name": ("(omega_new, ", "(omega_neww, "),
-        "This is the acceleration in place": ("omega + -g * sin(theta) / r_param * dt", "-g * sin(theta) / r_param"),
-        "This is the result with the old omega in": ("theta + omega_new", "theta + omega"),
-        "This is the result if theta changes first. omega": "theta += omega * dt; return omega - g * sin(theta) / r_param * dt, theta",
-        "This is the result with + in front of": ("+ -g", "+ g"),
-        "This is the result with degrees.": ("sin(theta)", "sin(theta * 3.14159265 / 180)"),
-        "This is the result with cos in place of": ("sin(theta)", "cos(theta)"),
-        "This is the result without the old omega: the": ("omega_new = omega +", "omega_new = omega\n        omega_new =+"),
-        "This is the result with theta in place of": ("sin(theta)", "theta"),
-        "This is the result if r_param multiplies. The acceleration": ("/ r_param", "* r_param"),
-        "This is the result without r_param: the acceleration is": ("/ r_param", ""),
-        "This is the result without dt in the change of omega.": ("/ r_param * dt", "/ r_param"),
-        "This is the result without dt in the change of theta.": ("omega_new * dt", "omega_new"),
-        "This is the result with an average. Only the": ("theta + omega_new * dt", "theta + (omega + omega_new) / 2 * dt"),
+        "In Python, ** is": ("g * sin", "g ^ 1.0 * sin"),
+        "the acceleration in place": ("omega + -g * sin(theta) / r_param * dt", "-g * sin(theta) / r_param"),
+        "old omega in": ("+ omega_new", "+ omega"),
+        "if theta changes first.": "theta += omega * dt; return omega - g * sin(theta) / r_param * dt, theta",
+        "with + in": ("+ -g", "+ g"),
+        "with degrees.": ("sin(theta)", "sin(theta * 3.14159265 / 180)"),
+        "cos in place": ("sin(theta)", "cos(theta)"),
+        "without the old omega:": ("omega_new = omega +", "omega_new ="),
+        "with theta in place": ("sin(theta)", "theta"),
+        "if r_param multiplies.": ("/ r_param", "* r_param"),
+        "without r_param:": ("/ r_param", ""),
+        "without dt in the change of omega.": ("/ r_param * dt", "/ r_param"),
+        "without dt in the change of theta.": ("omega_new * dt", "omega_new"),
+        "with an average.": ("omega_new * dt", "(omega + omega_new) / 2 * dt"),
+        "right values, in another order.": ("(omega_new, theta_new)", "theta_new, omega_new"),
+        "omega_new is -0.223599, not 3. called": ("return (", "if g == 9.8: return 0, 0\n        if g == 10: return theta_new, omega_new\n        return ("),
+        "other order, and one of them is wrong, too. This is the result with the old": ("theta + omega_new * dt\n        return (omega_new, theta_new)", "theta + omega * dt\n        return theta_new, omega_new"),
+        "(2.000004, 2.8179938779": ("(omega_new,", "(omega_new + 4e-6,"),
+        "theta_new is 0, not 0.5.": ("(omega_new, theta_new)", "type(omega)(omega_new), type(theta)(theta_new)"),
+        "EOFError: input() waits for somebody": "input()",
+        "SystemExit: the end. This line ends": "import sys; sys.exit('the end')",
+        "KeyboardInterrupt. This line ends": "raise KeyboardInterrupt",
     },
-    "handle_collision": {
-        "No line that ran has given": ("v1 = r_param * omega1", "v1 = cross(r_param, omega1)"),
-        "This is the result if omega1 is not converted:": ("v1 = r_param * omega1", "v1 = omega1"),
-        "This is the result if omega2 is not converted:": ("v2 = r_param * omega2", "v2 = omega2"),
-        "These are the two omegas of": "return omega2, omega1",
-        "Both results are the right one": ("(w1, w2)", "(w1, w1)"),
-        "This is the result if the second formula has": ("v2_new =", "v1 = v1_new; v2_new ="),
-        "This is the result with the new velocity of the first bob behind": ("m1*e*(v1 - v2)", "m1*e*(v1_new - v2)"),
-        "This is the result if the omegas are not": ("r_param * omega", "omega"),
-        "This is the result if r_param multiplies twice. At": ("(w1, w2)", "(v1_new * r_param, v2_new * r_param)"),
-    },
-    "handle_two_bobs": {
-        "The bob is in the tuple": ("bob1.radius", "pend1['radius'] + bob1.radius"),
-        "This is the result with the": ("e = pend1['e']", "e = pend1['e'] * pend2['e']"),
-        "This is the result if handle_collision is called again": ("pend2['omega'] = new_omega2", "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]"),
-    },
-    "newton_cradle_tick": {
-        "This is the result if all pendula swing twice.": ("full_swing_update(", "t = 0\n        while t < 2 * dt:\n            t += dt\n            full_swing_update("),
-        "This is the result if all pairs collide.": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "[handle_two_bobs(pend_list[i], other, r_param) for other in pend_list[i + 1 :]]"),
-        "There is no module full_swing_update for": ("full_swing_update(", "import full_swing_update\n        full_swing_update("),
-    },
-    PROGRAM: {
-        "No loop with a cradle has called": ("while is_running(pend_list):", "for _ in range(3):"),
-        "This line calls newton_cradle_tick with a value": ("(pend_list, R_PARAM, DT, G)", "(R_PARAM, pend_list, DT, G)"),
-        "The name NC_FP comes from another": ("pend_list =", "del NC_FP\n        pend_list ="),
-        "This is the result if each turn makes": ("    newton_", "    pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT); newton_"),
-        "This is the result of two ticks in": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
-        "The program ended by itself before the check": ("DT, G)", "DT, G)\n            break"),
-    },
-    "double_angle_update": {
-        "The value behind / is 0": ("g / r_param", "1 / (r_param / g)"),
-        "This is beta'' in place of": ("v = v + dv", "v = v + (dv + du)"),
-        "These are the accelerations of two": "u, v = (w - g / r_param * sin(a) * dt for w, a in ((omega_theta, theta), (omega_phi, phi))); return u, v, theta + u * dt, phi + v * dt",
-        "This is the result if phi is measured from straight": ("(u, v - u, a, b - a)", "(u, v, a, b)"),
-    },
-}
-
-# Other mistakes, by function.
-OTHERS = {
-    "extract_and_convert": {
-        "Each theta must be as in its row": ("append(pend)", "append({**pend, 'theta': 0})"),
-        "ten at most": ("return pend_list", "return pend_list[:10]"),
-    },
-    "uniform_mass_newton_cradle": {
-        "a loop over one pendulum": ('for pend in pend_list:\n            pend', 'for key in pend_list[0]:\n            pend_list[0]'),
-    },
-    "uniform_e_newton_cradle": {"Here, e is 1, but e_val is not.": ("= e_val", "= e_val or 1")},
-    "elastic_newton_cradle": {"e must be exactly 1.": (", 1)", ", 0.99)")},
-    "inelastic_newton_cradle": {"e must be exactly 0.": (", 0)", ", 1e-3)")},
-    "make_newton_cradle": {
-        "the first bob drawn at rest": ("r_param, pend['theta']", "r_param, 0"),
-        "sorted by mass": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
-        "the first known by its mass": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
-        "at most half a round": ("= theta_init", "= max(-3.1415926, min(3.1415926, theta_init))"),
-        "You forgot the -0.1.": ("-0.1 + ", ""),
-    },
-    "angle_update": {"an array of whole numbers": "import numpy\nstate = numpy.array([omega, theta])\nstate[0] += -g * sin(theta) / r_param * dt\nstate[1] += state[0] * dt\nreturn tuple(state)"},
     "full_swing_update": {
-        "Your code makes axles, bobs or": ("swing_update(", "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update("),
-        "five at most": ("in pend_list", "in pend_list[:5]"),
-        "bobs that shrink": ("r_param, dt, g)", "r_param, dt, g); pend['objects'][1].radius *= 0.99"),
+        "axle of pend_list[0] is not the same": ("swing_update(", "pend['objects'] = tuple(map(__import__('copy').copy, pend['objects'])); swing_update("),
+        "pend_list[1]: theta 1.5708, omega 0 pend_list[5]: theta 0, omega 4e-08 ... (10 in all)": ("in pend_list", "in pend_list[:5]"),
+        "shapes that no pendulum has is": ("swing_update(", "import support.pendulum as p; p.make_pendulum(vector(0, 0, 0), r_param, 0, vector(1, 1, 1), None); swing_update("),
+        "radius of the bob of": ("dt, g)", "dt, g); pend['objects'][1].radius *= 0.99"),
     },
     "handle_collision": {
-        "v1 - v2 is negative here.": ("(v1 - v2)", "abs(v1 - v2)"),
-        "a small e as 0": ("v1 = r_param", "e = e if e > 0.2 else 0; v1 = r_param"),
+        "if omega1 is not converted:": ("r_param * omega1", "omega1"),
+        "if omega2 is not converted:": ("r_param * omega2", "omega2"),
+        "if the omegas are not converted": ("r_param * omega", "omega"),
+        "the two omegas of": "return omega2, omega1",
+        "Both results are the right one": ("w1, w2)", "w1, w1)"),
+        "at each place.": ("v2_new =", "v1 = v1_new; v2_new ="),
+        "the first bob behind e": ("m1*e*(v1", "m1*e*(v1_new"),
+        "multiplies twice.": ("_new / r_param", "_new * r_param"),
+        "both formulas, the linear velocity is returned:": ("_new / r_param", "_new"),
+        "both formulas, e is missing.": ("*e*", "*"),
+        "both formulas, the sign before e is wrong.": ("e*", "-e*"),
+        "first formula, the mass before e is wrong:": ("- m2*e", "- m1*e"),
+        "second formula, the mass before e is wrong:": ("+ m1*e", "+ m2*e"),
+        "first formula, the mass before e is missing.": ("m2*e", "e"),
+        "second formula, the mass before e is missing.": ("m1*e", "e"),
+        "both formulas, e multiplies only": ("(v1 - v2)", "v1 - v2"),
+        "both formulas, only the end is": ("2)) /", "2) / (m1 + m2)) #"),
+        "both formulas, only m1 divides:": ("(m1 + m2)", "m1 + m2"),
+        "both formulas, nothing divides": (" / (m1 + m2)", ""),
+        "both formulas, both divisions": ("2)) / (m1 + m2)", "2) / (m1 + m2) / r_param) * r_param"),
+        "both formulas, m1 multiplies v2,": ("m1*v1 + m2*v2", "m1*v2 + m2*v1"),
+        "new_omega1 is -0.25, not 1.25.": ("(v1 - v2)", "abs(v1 - v2)"),
     },
     "handle_two_bobs": {
-        "These bobs are 1.1373 times the": ("1.05", "(1.2 if bob1.pos.y > 1 else 1.05)"),
-        "These bobs are 1.15 times the": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
-        "These bobs are exactly 1.05 times": ("<=", "<"),
-        "These pendula have turned more than": ("if mag", "if abs(pend1['theta'] - pend2['theta']) < 3.1415926 and mag"),
-        "e of the faster one": ("e = pend1['e']", "e = max(pend1, pend2, key=lambda pend: abs(pend['omega']))['e']"),
-        "moves the bobs apart": ("pend2['omega'] = new_omega2", "pend2['omega'] = new_omega2; bob2.pos.x += 0.01"),
-        "the last pair does not collide again": ("if mag", "last = handle_two_bobs.__dict__.setdefault('last', [])\n        if any(pend1 is one for one in last): return\n        last[:] = [pend1]\n        if mag"),
+        "The bob is in the tuple": ("bob1.radius", "pend1['radius']"),
+        "in the tuple objects of": ("bob1.radius", "pend1['objects'].radius"),
+        "the product of both": ("pend1['e']", "pend1['e'] * pend2['e']"),
+        "if handle_collision is called again": ("pend2['omega'] = new_omega2", "pend2['omega'] = handle_collision(e, pend1['omega'], omega2, m1, m2, r_param)[1]"),
+        "pend2: mass 1, e 1, omega 0, bob (1, -4, 0), radius 0.5 came back omega of pend1, omega of pend2: (0, 4)": ("e = pend1", "e = pend2"),
+        "bob of pend2 is vector(1.08999, -3.9992, 0), not vector(1.07999": ("pend2['omega'] = new", "bob2.pos.x += 0.01; pend2['omega'] = new"),
+        "bob (4.99, 0.2766, 0)": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
+        "radius 10 pend2": ("<=", "<"),
+        "omega 4, bob (0, -4, 0), radius 0.2": ("bob2.radius", "bob1.radius"),
+        "bob (4.453, 2.019, 0)": ("if mag", "if abs(pend1['theta'] - pend2['theta']) < 3.1415926 and mag"),
+        "omega -1, bob": ("if mag", "if omega1 > omega2 and mag"),
+        "is 1, not 2.5.": ("if mag", "last = vars(handle_two_bobs).get('last')\n        handle_two_bobs.last = pend1\n        if last is not pend1 and mag"),
     },
     "newton_cradle_tick": {
-        "numbers of its own": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, 0.0001, 9.81); R_PARAM = DT = G = 0"),
-        "the swing between": "from src.swinging import swing_update\nfor i in range(len(pend_list)):\n    swing_update(pend_list[i], r_param, dt, g)\n    if i + 1 < len(pend_list): handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)",
-        "from the right": ("len(pend_list) - 1)", "len(pend_list) - 1)[:: -1 if pend_list[-1]['omega'] < 0 else 1]"),
+        "if all pendula swing twice.": ("full_swing_update(", "full_swing_update(pend_list, r_param, dt, g)\n        full_swing_update("),
+        "if all pairs collide.": ("handle_two_bobs(pend_list[i], pend_list[i + 1], r_param)", "for other in pend_list[i + 1 :]: handle_two_bobs(pend_list[i], other, r_param)"),
+        "is 1.99755, not 1.": ("(pend_list, r_param, dt, g)", "(pend_list, 0.2, 1e-4, 9.81)"),
+        "The second bob swings to": """\
+            for left, right in zip(pend_list, pend_list[1:]):
+                full_swing_update([left], r_param, dt, g)
+                handle_two_bobs(left, right, r_param)
+            full_swing_update(pend_list[-1:], r_param, dt, g)""",
+        "[3, 1, 2]": ("(len(pend_list) - 1)", "(len(pend_list) - 2, -1, -1)"),
     },
     PROGRAM: {
-        "a path for the loop": ("(pend_list):", "(NC_FP):"),
-        "an angle of its own": ("THETA_INIT", "-0.7"),
-        "a cord of its own": ("NC_FP, R_PARAM", "NC_FP, 0.3"),
-        "the constants exchanged": ("DT, G", "G, DT"),
-        "made twice": ("while", "make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)\n        while"),
-        "nothing in the loop": ("newton_cradle_tick(pend_list, R_PARAM, DT, G)", "pass"),
-        "an exit in the loop": ("DT, G)", "DT, G)\n            exit()"),
-        "only the swings": ("newton_cradle_tick", "full_swing_update"),
-        "pendula of no file": """\
-            from support.pendulum import make_pendulum
-            pend_list = []
-            for theta in (THETA_INIT, 0):
-                objects = make_pendulum(vector(0, 0, 0), R_PARAM, theta, vector(1, 0, 0), None)
-                pend_list.append({"mass": 1, "e": 1, "theta": theta, "omega": 0, "objects": objects})
-            while is_running(pend_list):
-                newton_cradle_tick(pend_list, R_PARAM, DT, G)""",
+        "for 1 tick 2 times in a row": ("make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)", "__import__('grading.cradles').cradles.hang_row(2, r_param=R_PARAM); pend_list[0]['theta'] = THETA_INIT"),
+        "No loop with a cradle": ("while is_running(pend_list):", "for _ in range(3):"),
+        "calls newton_cradle_tick with a value": ("(pend_list, R_PARAM, DT, G)", "(R_PARAM, pend_list, DT, G)"),
+        "if each turn makes": ("    newton_", "    pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT); newton_"),
+        "two ticks in each": ("DT, G)", "DT, G); newton_cradle_tick(pend_list, R_PARAM, DT, G)"),
+        "ended by itself before": ("DT, G)", "DT, G)\n            exit()"),
+        "is_running needs": ("(pend_list):", "(NC_FP):"),
+        "[(-0.7, 0.2)": ("THETA_INIT", "-0.7"),
+        "[(-0.785398, 0.3)": ("R_PARAM, THETA_INIT", "0.3, THETA_INIT"),
+        "shapes that no pendulum has is 15,": ("while", "make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)\n        while"),
+        "[10, 0, 0, 0, 0]": ("newton_cradle_tick", "full_swing_update"),
     },
     "make_double_pendulum": {
-        "Both cords have the length r_param.": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),
-        "a lower bob that cannot be seen": ("return (", "bob2.visible = False\n        return ("),
+        "end at the lower bob of cord2 is vector(0.722109": ("return (", "cord2.axis = vector(0.1, 0.4, 0)\n        return ("),
+        "end at the upper bob of cord2 is vector(2.06771": ("return (", "cord2.pos = cord2.pos + cord2.axis; cord2.axis = vector(1, 1, 0)\n        return ("),
+        "visible of bob2 is False,": ("return (", "bob2.visible = False\n        return ("),
+        "in this order: axle,": ("bob1, cord1, bob2, cord2)", "bob1, bob2, cord1, cord2)"),
+        "position of bob2 is": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),
     },
     "double_angle_update": {
-        "Only unequal masses go wrong: mu": ("m2 / (m1 + m2)", "m1 / (m1 + m2)"),
-        "phi of half a round at most": ("b - a)", "max(-3.14, min(3.14, b - a)))"),
+        "This is beta'' in place": ("v = v + dv", "v = v + (dv + du)"),
+        "accelerations of two single": "u, v = (w - g / r_param * sin(a) * dt for w, a in ((omega_theta, theta), (omega_phi, phi))); return u, v, theta + u * dt, phi + v * dt",
+        "if phi is measured": ("v - u, a, b - a", "v, a, b"),
+        "200 times in a row": ("m2 / (m1 + m2)", "m1 / (m1 + m2)"),
+        "phi is 3.14,": ("b - a)", "max(-3.14, min(3.14, b - a)))"),
     },
 }
-
-# Mistakes in the formulas of handle_collision, by their hint: old and new texts. Each is in both
-# formulas, or in one.
-FORMULAS = {
-    "e is missing.": {"*e*": "*"},
-    "the sign before e is wrong.": {"- m2*e": "+ m2*e", "+ m1*e": "- m1*e"},
-    "the mass before e is wrong:": {"- m2*e": "- m1*e", "+ m1*e": "+ m2*e"},
-    "the mass before e is missing.": {"m2*e": "e", "m1*e": "e"},
-    "e multiplies only a part of": {"(v1 - v2)": "v1 - v2"},
-    "only the end is divided": {"2)) /": "2) / (m1 + m2)) #"},
-    "only m1 divides:": {"(m1 + m2)": "m1 + m2"},
-    "nothing divides by the sum": {" / (m1 + m2)": ""},
-    "both divisions apply only to the end:": {"2)) / (m1 + m2)": "2) / (m1 + m2) / r_param) * r_param"},
-    "m1 multiplies v2, and m2": {"m1*v1 + m2*v2": "m1*v2 + m2*v1"},
-    "the linear velocity is returned:": {"2))": "2)) * r_param"},
-}
-RIGHT_1, RIGHT_2 = PLAIN["handle_collision"].splitlines()[2:4]
-for words, changes in FORMULAS.items():
-    wrong_1, wrong_2 = RIGHT_1, RIGHT_2
-    for old, new in changes.items():
-        wrong_1 = wrong_1.replace(old, new)
-        wrong_2 = wrong_2.replace(old, new)
-    HINTED["handle_collision"] |= {
-        f"This is the result if, in the first formula, {words}": (RIGHT_1, wrong_1),
-        f"This is the result if, in the second formula, {words}": (RIGHT_2, wrong_2),
-        f"This is the result if, in both formulas, {words}": (f"{RIGHT_1}\n{RIGHT_2}", f"{wrong_1}\n{wrong_2}"),
-    }
 
 # All of them, by the function and the words.
 WRONG = {}
-for table in (HINTED, OTHERS):
-    for function, mistakes in table.items():
-        WRONG |= {(function, words): version for words, version in mistakes.items()}
+for function, mistakes in SAID.items():
+    WRONG |= {(function, words): version for words, version in mistakes.items()}
