@@ -372,10 +372,12 @@ class Sides(ast.NodeTransformer):
 
 
 def is_same(statement: ast.stmt | None, call: Call) -> bool:
-    """Return whether a call comes to another line of a statement, or back to its first one."""
-    is_long = statement and statement.end_lineno != statement.lineno
-    is_present = statement is call.statements.get(call.line)
-    return bool(is_long and is_present and not hasattr(statement, "body"))
+    """Return whether a call stays in a statement of several lines, or with a comprehension."""
+    if not statement or statement is not call.statements.get(call.line):
+        return False
+    turns = [part for part in ast.walk(statement) if isinstance(part, ast.comprehension)]
+    is_long = statement.end_lineno != statement.lineno or bool(turns)
+    return is_long and not hasattr(statement, "body")
 
 
 def truth_of(statement: ast.If | ast.While, call: Call) -> str:
