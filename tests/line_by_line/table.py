@@ -17,6 +17,7 @@ MOST_LINES = 3  # of the values of a row
 FEW_TURNS = 4
 # In this order, the rows of helpers, or the own ones, get at most this number of lines
 CUTS = (True, 2), (True, 1), (False, 2), (True, 0), (False, 1), (False, 0)
+GAVE = 1  # the rank of a row that gave a value like the wrong one
 MOST_HELPERS = 2  # functions that are shown below the first one
 
 
@@ -33,7 +34,9 @@ class Row(NamedTuple):
     """A statement, and what it gave, as lines that are shown or left out together."""
 
     texts: list[str]
-    rank: int  # a row with a higher rank is left out first, and one with 0 never
+    # A row with a higher rank is left out first, one with GAVE only if no other one is left to cut,
+    # and one with 0 never
+    rank: int
     title: list[str] = []  # above the rows of a helper
 
 
@@ -106,9 +109,14 @@ def rows_of_call(call: Call, wanted: Wanted, is_full: bool) -> list[Row]:
         if is_here:
             values += " <- not watched further"
         texts = laid_out(call, line, values, calls_in([*telling[-1:], *like]))
-        from_the_ends = min(i, len(lines) - 1 - i) + 1
-        rank = from_the_ends if like else from_the_ends + len(lines)
-        rows.append(Row(texts, 0 if telling or is_here else rank))
+        rank = GAVE + 1 + min(i, len(lines) - 1 - i)
+        if not like:
+            rank += len(lines)
+        if telling:
+            rank = GAVE
+        if is_here or any(visit in last for visit in visits):
+            rank = 0
+        rows.append(Row(texts, rank))
     return rows
 
 
@@ -224,8 +232,11 @@ def fitting(rows: list[Row], height: int) -> tuple[list[str], int]:
         for i in order:
             if len(lines_of([*kept.values()])) <= height:
                 break
-            if rows[i].rank and bool(rows[i].title) == is_helpers:
+            if rows[i].rank > GAVE and bool(rows[i].title) == is_helpers:
                 kept[i] = cut(rows[i], most)
+    for i in order:
+        if len(lines_of([*kept.values()])) > height and rows[i].rank == GAVE:
+            kept[i] = cut(rows[i], 0)
     return lines_of([*kept.values()]), len([row for row in kept.values() if not row.texts])
 
 

@@ -126,10 +126,10 @@ def test_the_rows_say_what_each_line_did(name):
 
 def test_left_out_are_helpers_then_what_is_not_like_the_wrong_value_from_the_middle():
     rows = rows_in("values")
-    lines, left_out = fitting(rows, 4)
+    lines, _ = fitting(rows, 4)
     assert [line[:8].strip() for line in lines] == ["2", "3", "", "5"]
-    assert left_out == 3
-    assert fitting([Row(["1", "2", "3"], 1)], 2) == (["1", "2 ..."], 0)
+    assert fitting([Row(["1", "2", "3"], 2)], 2) == (["1", "2 ..."], 0)
+    assert fitting([Row(["1"], 1), Row(["2"], 0)], 0) == (["2"], 1)
 
 
 def test_a_call_without_end_is_ended_by_the_trace():
