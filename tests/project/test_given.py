@@ -21,8 +21,6 @@ CHANGED = [
     (SWING, DEF, f"def swing_update(): pass\n{DEF.replace(' -> None', '')}", ""),  # the last counts
     (SWING, f"{DEF}    ", "", ""),  # Python cannot read the file
     (SWING, DEF, DEF.replace("swing", "my"), "none"),
-    (SWING, DEF, DEF.replace("g)", "g=9.8)"), "def swing"),
-    (SWING, THETA, "", SHOW),
     (SWING, SHOW, "", '"] = theta'),
     (CSV, 'name != "objects"', "name", "if name not in"),
 ]
