@@ -131,7 +131,7 @@ def both(what: What | None, found: Any, expected: Any) -> list[tuple[str, list[s
 
 
 def mistake_in(what: Any, found: Any, expected: Any) -> Mistake:
-    """Return the first mistake in found; what says what it is."""
+    """Return the first mistake in a value. what is its subject."""
     subject = what if isinstance(what, Subject) else NOTHING
     like = expected.like if isinstance(expected, Expected) else expected
     if like is not None and form_of(found) != form_of(like):

@@ -68,7 +68,7 @@ def end_now(config: pytest.Config, line: str) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Leave out the files of other tiers, without reading them: an import in them may fail."""
+    """Leave out the files of other tiers: an import in them may fail."""
     tier = config.option.tier
     if tier and collection_path.is_file() and collection_path.stem != SUITES[TIERS[tier]]:
         return True

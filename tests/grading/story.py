@@ -19,13 +19,12 @@ from grading.handout import FUNCTIONS
 from grading.limits import CLOCK
 from grading.messages import labelled, place_lines
 from grading.students_code import code_of, is_named, is_watched, names_in
-from grading.subject import Subject
+from grading.subject import OBJECTS, Subject
 from grading.words import text_of, WORDS
 from line_by_line.table import returns_in_loops, Row, rows_of, Wanted
 from line_by_line.trace import Trace
 
 EXCHANGED = "These are the right values, in another order."
-PARTS = "axle", "bob", "cord"  # of the objects of a pendulum
 
 
 class Story(NamedTuple):
@@ -151,7 +150,7 @@ def holder_of(subject: Subject, error: WrongError) -> Any:
             return names[part]
         owner = names[subject.owner if subject.owner in names else "pend_list"]
         pend = owner if index is None else owner[index]
-        return pend["objects"][PARTS.index(part)] if part in PARTS else pend
+        return pend["objects"][OBJECTS.index(part)] if part in OBJECTS else pend
     return None
 
 
@@ -228,7 +227,8 @@ def facts_of(check: Check, error: WrongError, trace: Trace) -> list[str]:
     subject = error.mistake.subject
     holder = holder_of(subject, error)
     was_there = any(holder is value for value in known_before(error, trace))
-    if was_there and not trace.has_set((id(holder), subject.key)):
+    is_known = was_there and not trace.is_full
+    if is_known and not trace.has_set((id(holder), subject.key)):
         facts.append(f"No line of your function has changed {subject}.")
     facts += returns_in_loops(trace)
     missing = [name for name in function.must_name if name not in names]

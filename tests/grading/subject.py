@@ -4,7 +4,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 RESULT = "The result"
 
-OBJECTS = "axle", "bob", "cord"  # bob1, too
+OBJECTS = "axle", "bob", "cord"  # of a pendulum, in this order; a double one has bob1, too
 # The attribute of an object that a key means, by its first word, which is the attribute otherwise
 ATTRIBUTES = {"position": "pos", "end": "pos"}
 

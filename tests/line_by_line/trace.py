@@ -100,10 +100,10 @@ class Trace:
         is_named: Callable[[CodeType], bool] = lambda code: False,
         is_endless: bool = False,
     ):
-        """is_watched says of which functions the lines are watched.
+        """The lines of a function are watched if is_watched(code) is true.
 
-        Of those that is_named names, it keeps what they got and gave. is_endless: after MOST_EVENTS
-        lines, raise an EndlessError in the function.
+        If is_named(code) is true, only its arguments and its result are kept. is_endless: after
+        MOST_EVENTS lines, raise an EndlessError in the function.
         """
         self.words = words
         self.is_watched = is_watched

@@ -52,7 +52,8 @@ def test_a_class_is_graded_in_tables_and_texts(classroom, solved):
     classroom.require_clean()
 
 
-# The runs of the starter and of three students, two of which are spoiled from outside; then these
+# The starter and three students: two of their runs are spoiled from outside. The last two statuses
+# are those of the new runs.
 SPOILED = f"""
 import atexit
 statuses = [1, 137, 124, 1, 1, 1]

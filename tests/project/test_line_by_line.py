@@ -16,8 +16,8 @@ from line_by_line.words import Words
 
 FILE = "lists.py"
 HEAD = "    def first(a):\n"
-# What stands below HEAD; a is [[1], [2]]. The comments say what a row has behind its code, or, of a
-# helper, its call. A line without a comment has no row. Wrong are a[1][0] and 2.5.
+# The lines below HEAD; a is [[1], [2]]. A comment has the values of a row, or the call of a helper.
+# A line without a comment has no row. Wrong are a[1][0] and 2.5.
 ROWS = {
     "values": """\
      s = Shelf(0.1 + 0.2)  # s = Shelf(n=0.3)
