@@ -1,4 +1,4 @@
-"""The handout's modules, and its honor roll.
+"""The modules of the assignment, and its honor roll.
 
-Read them in the handout's order: pds_helper, special_cradles, swinging, visualize_cradle_run.
+Read them in this order: pds_helper, special_cradles, swinging, visualize_cradle_run.
 """

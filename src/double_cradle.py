@@ -56,7 +56,7 @@ State: TypeAlias = tuple[float, float, float, float]  # alpha, beta, alpha', bet
 
 
 def make_double_pendulum(
-    axle_pos, r_param, theta, phi, color, texture
+    axle_pos: vector, r_param: float, theta: float, phi: float, color: vector, texture: str | None
 ) -> tuple[box, sphere, cylinder, sphere, cylinder]:
     """Return the VPython objects (axle, bob1, cord1, bob2, cord2) of a double pendulum.
 
@@ -70,7 +70,7 @@ def make_double_pendulum(
 
 
 def make_double_newton_cradle(
-    relative_filepath, r_param, theta_init, phi_init
+    relative_filepath: str, r_param: float, theta_init: float, phi_init: float
 ) -> list[DoublePendulumEntry]:
     """Return the pend_list of a CSV as double pendula, ready to swing.
 
@@ -121,7 +121,15 @@ def moved(state: State, its_rates: Sequence[float], dt: float) -> State:
 
 
 def double_angle_update(
-    omega_theta, omega_phi, theta, phi, r_param, dt, g, m1=1.0, m2=1.0
+    omega_theta: float,
+    omega_phi: float,
+    theta: float,
+    phi: float,
+    r_param: float,
+    dt: float,
+    g: float,
+    m1: float = 1.0,
+    m2: float = 1.0,
 ) -> tuple[float, float, float, float]:
     """Return (omega_theta, omega_phi, theta, phi) of a double pendulum after dt (s).
 
@@ -147,7 +155,9 @@ def double_angle_update(
     return alpha_rate, beta_rate - alpha_rate, alpha, beta - alpha
 
 
-def double_swing_update(pend_dict, r_param, dt, g) -> None:
+def double_swing_update(
+    pend_dict: DoublePendulumEntry, r_param: float, dt: float, g: float
+) -> None:
     """Swing one double pendulum for dt (s).
 
     Update its angles and their rates, and move its bobs and cords there. A tick has more than
@@ -166,7 +176,9 @@ def double_swing_update(pend_dict, r_param, dt, g) -> None:
         omega, phi_omega, theta, phi = double_angle_update(
             omega, phi_omega, theta, phi, r_param, dt / steps, g, mass, mass
         )
-    pend_dict.update(omega=omega, phi_omega=phi_omega, theta=theta, phi=phi)
+    pend_dict.update(  # type: ignore[call-arg]
+        omega=omega, phi_omega=phi_omega, theta=theta, phi=phi
+    )
     show_double_pendulum(pend_dict, r_param)
 
 
@@ -191,7 +203,9 @@ def collide_pairs(pend_list: list[DoublePendulumEntry], r_param: float) -> list[
     return hits
 
 
-def double_cradle_tick(pend_list, r_param, dt, g) -> None:
+def double_cradle_tick(
+    pend_list: list[DoublePendulumEntry], r_param: float, dt: float, g: float
+) -> None:
     """Advance the whole cradle by dt (s): swing all double pendula, then let touching bobs collide.
 
     The bobs of any two pendula can touch, not only those of neighbours.

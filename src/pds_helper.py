@@ -8,14 +8,14 @@ from support.files.data_file import whole_file
 from support.pendulum import PendulumEntry
 
 
-def extract_and_convert(relative_filepath) -> list[PendulumEntry]:
+def extract_and_convert(relative_filepath: str) -> list[PendulumEntry]:
     """Return pend_list: a dictionary for each row of the CSV, with the column names as keys."""
     df = pd.read_csv(relative_filepath)
     bad_rep = df.to_dict(orient="index")
     return list(bad_rep.values())
 
 
-def write_to_csv(pend_list, filepath=NC_FP) -> None:
+def write_to_csv(pend_list: list[PendulumEntry], filepath: str = NC_FP) -> None:
     """Write pend_list, without objects, to a CSV, which extract_and_convert can read.
 
     The new file replaces the old one only when it is complete. Raises an OSError if filepath cannot

@@ -7,7 +7,7 @@ from support.constants import COLOR_MAP, TEXTURE_MAP
 from support.pendulum import make_pendulum, PendulumEntry
 
 
-def uniform_mass_newton_cradle(relative_filepath, mass) -> list[PendulumEntry]:
+def uniform_mass_newton_cradle(relative_filepath: str, mass: float) -> list[PendulumEntry]:
     """Return the pend_list of a CSV with every pendulum's mass set to mass (kg)."""
     pend_list = extract_and_convert(relative_filepath)
     for pend_dict in pend_list:
@@ -15,7 +15,7 @@ def uniform_mass_newton_cradle(relative_filepath, mass) -> list[PendulumEntry]:
     return pend_list
 
 
-def uniform_e_newton_cradle(relative_filepath, e_val) -> list[PendulumEntry]:
+def uniform_e_newton_cradle(relative_filepath: str, e_val: float) -> list[PendulumEntry]:
     """Return the pend_list of a CSV with every pendulum's e set to e_val.
 
     e is the coefficient of restitution, from 0 to 1.
@@ -26,23 +26,27 @@ def uniform_e_newton_cradle(relative_filepath, e_val) -> list[PendulumEntry]:
     return pend_list
 
 
-def elastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
+def elastic_newton_cradle(relative_filepath: str) -> list[PendulumEntry]:
     """Return the pend_list of a CSV with perfectly elastic pendula.
 
-    e = 1: a hit keeps the kinetic energy.
+    A hit keeps the kinetic energy.
     """
+    # e of an elastic collision
     return uniform_e_newton_cradle(relative_filepath, 1)
 
 
-def inelastic_newton_cradle(relative_filepath) -> list[PendulumEntry]:
+def inelastic_newton_cradle(relative_filepath: str) -> list[PendulumEntry]:
     """Return the pend_list of a CSV with perfectly inelastic pendula.
 
-    e = 0: after a hit, both bobs have the same velocity.
+    After a hit, both bobs have the same velocity.
     """
+    # e of an inelastic collision
     return uniform_e_newton_cradle(relative_filepath, 0)
 
 
-def make_newton_cradle(relative_filepath, r_param, theta_init) -> list[PendulumEntry]:
+def make_newton_cradle(
+    relative_filepath: str, r_param: float, theta_init: float
+) -> list[PendulumEntry]:
     """Return the pend_list of a CSV, ready to swing.
 
     Each pendulum also gets theta, omega and objects (axle, bob, cord). The first pendulum is lifted

@@ -1,23 +1,26 @@
-"""Swing the pendula by one time step, with the formulas of the handout's appendix."""
+"""Swing the pendula by one time step."""
 
 from math import sin
 
-from support.pendulum import show_pendulum
+from support.pendulum import PendulumEntry, show_pendulum
 
 
-def angle_update(omega, theta, r_param, dt, g) -> tuple[float, float]:
+def angle_update(
+    omega: float, theta: float, r_param: float, dt: float, g: float
+) -> tuple[float, float]:
     """Return (omega_new, theta_new) of a pendulum after dt (s).
 
     omega (rad/s) and theta (rad) are the values before, r_param (m) the cord length, g (m/s^2) the
-    gravitational acceleration. Handout, appendix: omega changes by -g sin(theta) / R per second;
-    theta moves with the new omega.
+    gravitational acceleration.
     """
+    # Newton's second law for the bob along its arc, m R omega' = -m g sin(theta), in steps of
+    # semi-implicit Euler: the new omega moves theta.
     omega_new = omega - g * sin(theta) / r_param * dt
     theta_new = theta + omega_new * dt
     return omega_new, theta_new
 
 
-def swing_update(pend_dict, r_param, dt, g) -> None:
+def swing_update(pend_dict: PendulumEntry, r_param: float, dt: float, g: float) -> None:
     """Swing one pendulum for dt (s).
 
     This updates its omega and theta, and moves its bob and cord to the new angle.
@@ -28,7 +31,7 @@ def swing_update(pend_dict, r_param, dt, g) -> None:
     show_pendulum(pend_dict, r_param)
 
 
-def full_swing_update(pend_list, r_param, dt, g) -> None:
+def full_swing_update(pend_list: list[PendulumEntry], r_param: float, dt: float, g: float) -> None:
     """Swing every pendulum of the cradle for dt (s)."""
     for pend_dict in pend_list:
         swing_update(pend_dict, r_param, dt, g)

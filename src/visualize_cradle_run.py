@@ -11,18 +11,20 @@ from vpython import mag
 from src.special_cradles import make_newton_cradle
 from src.swinging import full_swing_update
 from support.constants import DT, G, NC_FP, R_PARAM, THETA_INIT
+from support.pendulum import PendulumEntry
 from support.simulation import is_running
 
 
-def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
+def handle_collision(
+    e: float, omega1: float, omega2: float, m1: float, m2: float, r_param: float
+) -> tuple[float, float]:
     """Return (new_omega1, new_omega2), the angular velocities (rad/s) of two bobs after a hit.
 
     e is the coefficient of restitution (0 to 1), omega1 and omega2 (rad/s) are the velocities
-    before, m1 and m2 (kg) the masses, r_param (m) the cord length. Handout, appendix (the
-    momentum stays the same; the bobs separate at e times the speed at which they approached):
-        v1_new = (m1 v1 + m2 v2 - m2 e (v1 - v2)) / (m1 + m2)
-        v2_new = (m1 v1 + m2 v2 + m1 e (v1 - v2)) / (m1 + m2)
+    before, m1 and m2 (kg) the masses, r_param (m) the cord length.
     """
+    # The momentum stays the same, and the bobs separate at e times the speed at which they
+    # approached (Newton's law of restitution): two equations for the two new velocities.
     v1, v2 = r_param * omega1, r_param * omega2
     momentum = m1 * v1 + m2 * v2
     v1_new = (momentum - m2 * e * (v1 - v2)) / (m1 + m2)
@@ -30,7 +32,7 @@ def handle_collision(e, omega1, omega2, m1, m2, r_param) -> tuple[float, float]:
     return v1_new / r_param, v2_new / r_param
 
 
-def handle_two_bobs(pend1, pend2, r_param) -> None:
+def handle_two_bobs(pend1: PendulumEntry, pend2: PendulumEntry, r_param: float) -> None:
     """Let two neighbouring pendula collide if their bobs touch.
 
     They touch if the distance of their centres is at most 1.05 times the sum of their radii. The
@@ -44,7 +46,7 @@ def handle_two_bobs(pend1, pend2, r_param) -> None:
         pend1["omega"], pend2["omega"] = handle_collision(e, omega1, omega2, m1, m2, r_param)
 
 
-def newton_cradle_tick(pend_list, r_param, dt, g) -> None:
+def newton_cradle_tick(pend_list: list[PendulumEntry], r_param: float, dt: float, g: float) -> None:
     """Advance the whole cradle by dt (s).
 
     This swings all pendula, then lets each one collide with its right neighbour.

@@ -1,4 +1,4 @@
-"""The columns of a cradle's CSV, in the order of the handout's file."""
+"""The columns of a cradle's CSV, in the order of the shipped file."""
 
 from collections.abc import Collection
 from math import nan

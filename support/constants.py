@@ -1,15 +1,14 @@
 """The constants of the cradle, each with its unit and the reason for its value."""
 
 from math import pi
+from pathlib import Path
 
 from vpython import color, textures, vector
 
-from support.root import ROOT
-
 # The cradle's file. The path is absolute, so that you can start a program in any folder.
-NC_FP = str(ROOT / "newton_cradle_pends.csv")
+NC_FP = str(Path(__file__).resolve().parents[1] / "newton_cradle_pends.csv")
 
-# Cord length (m). With it, five pendula are centred: the handout's axles are r_param/4 apart, from
+# Cord length (m). With it, five pendula are centred: the axles are r_param/4 apart, from
 # x = -0.1 on.
 R_PARAM = 0.2
 

@@ -1,14 +1,14 @@
 """A pendulum: its dictionary, and the VPython objects that show it."""
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from math import cos, degrees, radians, sin
 from typing import Any, TypedDict
 
 from vpython import box, color, cylinder, scene, sphere, vector
 
-# Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: the
-# handout's little buffer.
+# Two bobs touch if their centres are at most BUFFER times the sum of their radii apart: a
+# little buffer.
 BUFFER = 1.05
 
 DARK_GREY = vector(0.3, 0.3, 0.32)
@@ -71,7 +71,7 @@ def arm(theta: float, r_param: float) -> vector:
     return vector(r_param * sin(theta), -r_param * cos(theta), 0)
 
 
-def cord_angles(pend_dict: Pendulum) -> list[float]:
+def cord_angles(pend_dict: Mapping[str, Any]) -> list[float]:
     """Return the angles (rad) of a pendulum's cords from straight down, the upper one first."""
     theta = pend_dict["theta"]
     if len(pend_dict["objects"]) == 3:
@@ -82,7 +82,7 @@ def cord_angles(pend_dict: Pendulum) -> list[float]:
 # --- show a pendulum -----------------------------------------------------------------------------
 
 
-def show_pendulum(pend_dict: Pendulum, r_param: float) -> None:
+def show_pendulum(pend_dict: Mapping[str, Any], r_param: float) -> None:
     """Move the bob and the cord of a pendulum to its theta; r_param (m) is the cord length."""
     axle, bob, cord = pend_dict["objects"]
     axis = arm(pend_dict["theta"], r_param)
@@ -90,7 +90,7 @@ def show_pendulum(pend_dict: Pendulum, r_param: float) -> None:
     cord.axis = axis
 
 
-def show_double_pendulum(pend_dict: Pendulum, r_param: float) -> None:
+def show_double_pendulum(pend_dict: Mapping[str, Any], r_param: float) -> None:
     """Move the bobs and cords of a double pendulum to its theta and phi; r_param as above."""
     axle, bob1, cord1, bob2, cord2 = pend_dict["objects"]
     upper, lower = (arm(angle, r_param) for angle in cord_angles(pend_dict))

@@ -224,7 +224,7 @@ def students_programs(folder, count) -> dict[str, Path]:
     from make_starter import make_starter
     from students import change, MAKE, TICK, write
 
-    from grading.handout import FUNCTIONS
+    from grading.assignment import FUNCTIONS
 
     make_starter(folder)
     write(folder, *FUNCTIONS)

@@ -1,7 +1,7 @@
 """Make the folder that students get: `python tests/make_starter.py FOLDER`.
 
-It is the project without the bodies of the handout's functions. Of tests/, it has only the graded
-tests.
+It is the project without the bodies of the assignment's functions. Of tests/, it has only the
+graded tests; tests/starter/ has what only a starter has.
 """
 
 import ast
@@ -17,25 +17,47 @@ if __name__ == "__main__":
 
 from grading.begin import ROOT
 
+from grading.assignment import FUNCTIONS, GIVEN, IMPORTS, SUITES
 from grading.given import GIVEN_FUNCTIONS
-from grading.handout import FUNCTIONS, GIVEN, IMPORTS, SUITES
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
 from support.start.output import in_one_line
 
-FILES = [".gitignore", "newton_cradle_pends.csv", "pds_tester.py", "pyproject.toml"]
-FILES += [".devcontainer/devcontainer.json"]
-FILES += [f"tests/{suite}.py" for suite in SUITES.values()]
+FILES = [
+    ".devcontainer/devcontainer.json",
+    ".gitignore",
+    "newton_cradle_pends.csv",
+    "pds_tester.py",
+    *(f"tests/{suite}.py" for suite in SUITES.values()),
+]
+# Where the texts are that only a starter has, by their paths in it
+OWN = {
+    "README.md": "tests/starter/starter.md",
+    "ASSIGNMENT.md": "tests/starter/ASSIGNMENT.md",
+    ".vscode/extensions.json": "tests/starter/.vscode/extensions.json",
+    ".vscode/launch.json": "tests/starter/.vscode/launch.json",
+    ".vscode/settings.json": "tests/starter/.vscode/settings.json",
+    ".github/workflows/classroom.yml": "tests/teacher/classroom.yml",
+}
 FOLDERS = ["src", "support", "tests/grading", "tests/line_by_line"]
-# src/README.md, the fast path, double cradles
-WITH_ANSWERS = {"README.md", "many_ticks.py", "double_collisions.py"}
-PICTURES = {"accuracy.png", "double.png", "experiment.png", "swing.png"}  # of the READMEs
-LEFT_OUT = {"__pycache__", *PICTURES, *WITH_ANSWERS}
+LEFT_OUT = {
+    "__pycache__",
+    # Answers
+    "double_collisions.py",
+    "many_ticks.py",
+    # Of the project's own pages
+    "README.md",
+    "accuracy.png",
+    "double.png",
+    "experiment.png",
+    "swing.png",
+}
 # Files that lose what students write, and the functions that lose their bodies: also one of the
 # honor roll without a check.
 STUDENTS_FILES = {function.file for function in FUNCTIONS.values()}
 STUDENTS_FUNCTIONS = {*FUNCTIONS, "double_cradle_tick"}
-PROVIDED = {"extract_and_convert": 2}  # statements that the handout provides at the start of a body
+# Statements that a starter provides at the start of a body
+PROVIDED = {"extract_and_convert": 2}
 # What students write in the program: a statement of each of these types
 PROGRAM = {ast.Assign: "make pend_list", ast.Expr: "one tick"}
 
@@ -65,7 +87,7 @@ def main() -> None:
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         parser.error(f"argument FOLDER: found '{folder}', allowed is a new or an empty folder")
     make_starter(folder)
-    print(in_one_line(f"{folder} is ready. Its README.md says what your students write."))
+    print(in_one_line(f"{folder} is ready. Its ASSIGNMENT.md says what your students write."))
 
 
 def make_starter(folder) -> None:
@@ -73,20 +95,13 @@ def make_starter(folder) -> None:
 
     If this fails, leave nothing behind, and raise an OSError.
     """
-    files = files_of_the_project()
-    texts = texts_of_its_own()
-    for file in files:
-        if file.as_posix() in STUDENTS_FILES:
-            texts[file] = for_students(ROOT / file)
-    texts[Path(GIVEN_FUNCTIONS)] = given_functions(texts)
+    contents = copies() | changed_texts()
     new = [path for path in (folder, *folder.parents) if not path.exists()]
     try:
-        for file in files:
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy(ROOT / file, folder / file)
-        for file, text in texts.items():
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            (folder / file).write_text(text, encoding="utf-8", newline="\n")
+        for name, content in contents.items():
+            path = folder / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
     except BaseException:
         for path in new[-1:] or folder.iterdir():
             if path.is_dir():
@@ -96,33 +111,32 @@ def make_starter(folder) -> None:
         raise
 
 
-def files_of_the_project() -> list[Path]:
-    """Return the project's files that students get, by their paths in it."""
-    files = [Path(name) for name in FILES]
+def copies() -> dict[str, bytes]:
+    """Return the contents of the files that a starter has from the project, by their paths."""
+    files = [*FILES]
     for name in FOLDERS:
         for path in (ROOT / name).rglob("*"):
             file = path.relative_to(ROOT)
             if path.is_file() and not any(map(is_left_out, file.parts)):
-                files.append(file)
-    return files
+                files.append(file.as_posix())
+    return {file: (ROOT / file).read_bytes() for file in files}
 
 
-def texts_of_its_own() -> dict[Path, str]:
-    """Return the texts of the files that differ from the project's, except those of src/."""
+def changed_texts() -> dict[str, bytes]:
+    """Return the contents of the files that are not as in the project, by their paths."""
+    texts = {file: for_students(file) for file in STUDENTS_FILES}
+    texts[GIVEN_FUNCTIONS] = given_functions(texts)
+    texts["src/no_program.py"] = NO_PROGRAM_FILE
+    project, _, _ = text_of("pyproject.toml").partition("\n# A plain pytest")
+    texts["pyproject.toml"] = project.replace(" -m 'not browser and not slow'", "")
+    for name, place in OWN.items():
+        texts[name] = text_of(place).replace("../../", "")  # in links
+    return {name: text.encode() for name, text in texts.items()}
 
-    def read(name):
-        return (ROOT / name).read_text(encoding="utf-8")
 
-    rows = [
-        f"| {function.tier} | {name} | `{function.file}` |" for name, function in FUNCTIONS.items()
-    ]
-    project, _, _ = read("pyproject.toml").partition("\n# A plain pytest")
-    return {
-        Path("src/no_program.py"): NO_PROGRAM_FILE,
-        Path("README.md"): read("tests/starter.md").format(rows="\n".join(rows)),
-        Path("pyproject.toml"): project.replace(" -m 'not browser and not slow'", ""),
-        Path(".github/workflows/classroom.yml"): read("tests/teacher/classroom.yml"),
-    }
+def text_of(file) -> str:
+    """Return the text of a file of the project."""
+    return (ROOT / file).read_text(encoding="utf-8")
 
 
 def is_left_out(name) -> bool:
@@ -134,15 +148,12 @@ def is_left_out(name) -> bool:
     return name in LEFT_OUT or name.startswith(".")
 
 
-def for_students(path) -> str:
+def for_students(file) -> str:
     """Return the source of a file of src/ without what students write.
 
     The docstrings of their functions stay.
     """
-    source = path.read_text(encoding="utf-8")
-    file = f"src/{path.name}"
-    if file not in STUDENTS_FILES:
-        return source
+    source = text_of(file)
     used_before = used_names(source)
     lines = source.splitlines(keepends=True)
     for gap in reversed(gaps(source)):
@@ -161,15 +172,14 @@ def for_students(path) -> str:
 def given_functions(texts) -> str:
     """Return JSON: [file, source] of each function that src/ provides, by its name.
 
-    texts has the starter's files of src/, by their paths.
+    texts has what students get of the files that they write into, by their paths.
     """
     found = {}
     for file, text in texts.items():
-        if file.as_posix() in STUDENTS_FILES:
-            for statement in ast.parse(text).body:
-                name = getattr(statement, "name", "")
-                if name in GIVEN - STUDENTS_FUNCTIONS:
-                    found[name] = file.as_posix(), ast.get_source_segment(text, statement)
+        for statement in ast.parse(text).body:
+            name = getattr(statement, "name", "")
+            if name in GIVEN - STUDENTS_FUNCTIONS:
+                found[name] = file, ast.get_source_segment(text, statement)
     return json.dumps(found, indent=4, sort_keys=True) + "\n"
 
 
@@ -190,55 +200,49 @@ def gaps(source) -> list[Gap]:
         if isinstance(statement, ast.FunctionDef) and statement.name in STUDENTS_FUNCTIONS:
             # The docstring is the first statement
             provided = statement.body[PROVIDED.get(statement.name, 0)]
-            gap = Gap(provided.end_lineno, statement.end_lineno, statement.name, " " * 4)
+            gap = Gap(provided.end_lineno, statement.end_lineno, statement.name, "    ")
             found.append(gap)
         elif isinstance(statement, ast.If):  # of __name__
             for part in ast.walk(statement):
                 if type(part) in PROGRAM:
                     indent = " " * part.col_offset
                     task = f": {PROGRAM[type(part)]}"
-                    gap = Gap(part.lineno - 1, part.end_lineno, "the program", indent, task)
-                    found.append(gap)
+                    found.append(Gap(part.lineno - 1, part.end_lineno, "the program", indent, task))
     return found
 
 
 def used_names(source) -> set[str]:
     """Return the names that the code of a file uses."""
-    nodes = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Name)]
-    return {node.id for node in nodes if isinstance(node.ctx, ast.Load)}
+    names = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Name)]
+    return {name.id for name in names if isinstance(name.ctx, ast.Load)}
 
 
 def without_unused(source, helpers) -> str:
     """Return the source without the imports, functions and values of helpers that nothing uses."""
     unused = helpers - used_names(source)
     for statement in ast.parse(source).body:
-        names = names_of(statement)
-        if names and names <= unused:
+        if names_of(statement) <= unused:
             # Again, for the helpers that only this one has used
             return without_unused(without(source, statement), helpers)
     return source
 
 
 def names_of(statement) -> set[str]:
-    """Return the names that a statement outside of functions defines."""
-    if isinstance(statement, ast.FunctionDef):
-        return {statement.name}
-    if isinstance(statement, ast.Import | ast.ImportFrom):
-        return {alias.asname or alias.name for alias in statement.names}
+    """Return the names that an import, a function or a value with a type defines, or {""}."""
     if isinstance(statement, ast.AnnAssign):
         return {ast.unparse(statement.target)}
-    return set()
+    parts = getattr(statement, "names", [statement])  # of an import
+    return {getattr(part, "name", "") for part in parts}
 
 
 def without(source, statement) -> str:
-    """Return the source without a statement; the longer gap of those above and below it stays."""
+    """Return the source without a statement; of the gaps above and below it, one stays."""
     lines = source.splitlines(keepends=True)
     above = "".join(lines[: statement.lineno - 1])
     below = "".join(lines[statement.end_lineno :])
-    text_above, text_below = above.rstrip("\n"), below.lstrip("\n")
-    gap_above = above.removeprefix(text_above)
-    gap_below = "\n" + below.removesuffix(text_below)
-    return text_above + max(gap_above, gap_below) + text_below
+    if below.startswith("\n"):
+        above = above.rstrip("\n") + "\n"
+    return above + below
 
 
 if __name__ == "__main__":

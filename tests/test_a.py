@@ -7,7 +7,9 @@ if __name__ == "__main__":
 
 from contextlib import suppress
 from math import pi
+from pathlib import Path
 
+from grading.assignment import PROGRAM
 from grading.check_player import CheckPlayer
 from grading.checks import check
 from grading.comparing import same
@@ -25,7 +27,6 @@ from grading.cradles import (
     within,
 )
 from grading.grader import expect, running, usable_result
-from grading.handout import PROGRAM
 from grading.messages import Expected
 from grading.subject import Each, Several, Subject
 from grading.words import plural, text_of
@@ -66,7 +67,7 @@ def check_row(*omegas):
 
 @check("newton_cradle_tick")
 def test_a_tick_swings_all_pendula():
-    """Update the swings of all the pendula."""
+    """A tick swings each pendulum once, for dt."""
     pend_list = [hang(theta=pi / 6, omega=2.0, axle=(i * 1.0, 0, 0), r_param=0.5) for i in range(3)]
     twice = (
         "This is the result if all pendula swing twice. Call full_swing_update once, and outside "
@@ -86,9 +87,7 @@ def test_a_tick_swings_all_pendula():
 
 @check("newton_cradle_tick")
 def test_each_pendulum_is_handled_with_the_one_after_it():
-    """For each pendulum (except the last) handle the pairwise interaction of that pendulum and the
-    one after it.
-    """
+    """Neighbours that touch collide once in a tick, from left to right."""
     check_row(1.0, 2.0, 3.0)
     check_row(3.0, 0.0)
     check_row(3.0, 0.0, 0.0, 0.0, 0.0)
@@ -100,7 +99,7 @@ def test_each_pendulum_is_handled_with_the_one_after_it():
 
 @check("newton_cradle_tick")
 def test_only_neighbours_are_pairs():
-    """In a pairwise manner, we only consider the collision of two pendula."""
+    """Only neighbours collide, even if a bob touches others, too."""
     large = "These large bobs all touch, but only neighbours are pairs."
     results = [([3.0, 2.0, 1.0], "This is the result if all pairs collide.")]
     check_tick(touching(1.0, 2.0, 3.0, radius=R / 3), [2.0, 3.0, 1.0], help=large, results=results)
@@ -108,7 +107,7 @@ def test_only_neighbours_are_pairs():
 
 @check("newton_cradle_tick")
 def test_a_cradle_may_have_any_number_of_pendula():
-    """Feel free to play around with the values and the number of pendulums."""
+    """A cradle can have any number of pendula: none, one, or forty."""
     alone = "There is one pendulum, and no pair."
     check_tick([hang(theta=pi / 6, omega=2.0)], [0.75], dt=0.1, g=10.0, help=alone)
     check_tick([], [])
@@ -118,7 +117,7 @@ def test_a_cradle_may_have_any_number_of_pendula():
 
 @check("newton_cradle_tick")
 def test_the_pairs_use_masses_and_restitution():
-    """(Hint: Use another function you already wrote!)"""
+    """Each pair has its own masses, and the e of its first pendulum."""
     pend_list = touching(4.0, 0.0, 0.0)
     for pend, e, mass in zip(pend_list, (0.5, 0.25, 1.0), (1.0, 3.0, 3.0), strict=True):
         pend.update(e=e, mass=mass)
@@ -136,7 +135,7 @@ def test_the_pairs_use_masses_and_restitution():
 
 @check("newton_cradle_tick")
 def test_bobs_that_do_not_touch_are_left_alone():
-    """The Newton's cradle is defined by the collisions between its pendula."""
+    """In a tick, bobs that do not touch do not collide."""
     pend_list = hang_row(3)
     pend_list[0]["omega"] = -1.0
     check_tick(pend_list, [-1.0, 0.0, 0.0], help="No bobs touch here.")
@@ -144,7 +143,7 @@ def test_bobs_that_do_not_touch_are_left_alone():
 
 @check("newton_cradle_tick")
 def test_swings_come_before_collisions():
-    """Performs a single timestep or tick of the Newton's cradle."""
+    """Bobs that touch after the swing collide in the same tick."""
     check_row(2.0, 0.0)
     order = "All pendula swing first, then the pairs collide."
     pend_list = [hang(theta=-0.1, omega=1.0, radius=R / 8), hang(axle=(R / 4, 0, 0), radius=R / 8)]
@@ -157,7 +156,7 @@ def test_swings_come_before_collisions():
 
 @check("newton_cradle_tick")
 def test_a_cradle_passes_the_swing_on():
-    """A "chain reaction" when each pendulum knocks into the pendulum next to it."""
+    """After 234 ticks, the last pendulum is as high as the first was."""
     cord = 0.2
     release_angle = pi / 4
     pend_list = []
@@ -179,6 +178,34 @@ def test_a_cradle_passes_the_swing_on():
     )
 
 
+def add_count(pend_list, *constants):
+    """Stand in for full_swing_update: add the number of pendula to each omega."""
+    for pend in pend_list:
+        if constants == (R, 0.1, 9.0):
+            pend["omega"] += len(pend_list)
+
+
+def add_left(pend1, pend2, _):
+    """Stand in for handle_two_bobs: add ten times the omega of pend1 to that of pend2."""
+    pend2["omega"] += 10 * pend1["omega"]
+
+
+@check("newton_cradle_tick", full_swing_update=add_count, handle_two_bobs=add_left)
+def newton_cradle_tick_alone():
+    """All pendula swing, then each pair of neighbours is handled, from left to right."""
+    help = (
+        "Here, full_swing_update adds the number of pendula to each omega, and handle_two_bobs "
+        "adds ten times the omega of pend1 to that of pend2."
+    )
+    for omegas, after in (
+        ((), []),
+        ((5.0,), [6.0]),
+        ((0.0, 5.0), [2.0, 27.0]),
+        ((0.0, 1.0, 2.0, 3.0, 4.0), [5.0, 56.0, 567.0, 5678.0, 56789.0]),
+    ):
+        check_tick(touching(*omegas), after, dt=0.1, g=9.0, help=help)
+
+
 # --- the program, below if __name__ == "__main__" ------------------------------------------------
 
 
@@ -196,7 +223,7 @@ def swings(ticks):
 
 @check(PROGRAM)
 def test_the_cradle_is_made():
-    """Use a helper function you wrote before to create the pend_list."""
+    """The program makes a cradle, with R_PARAM and THETA_INIT."""
     player = CheckPlayer(0)
 
     def see(_):
@@ -233,18 +260,11 @@ def test_the_cradle_is_made():
         advice=advice,
         results=[([], "No loop with a cradle has called is_running, or rate.")],
     )
-    old = shapes()
-
-    def see_left_over(_):
-        parts = [part for pend in player.pend_list for part in pend["objects"]]
-        return left_over(old, parts)
-
-    expect(PROGRAM, player, see=see_left_over, **LEFT_OVER)
 
 
 @check(PROGRAM)
 def test_the_cradle_ticks():
-    """In the while loop, call a helper function to perform a single tick."""
+    """Each turn of the loop makes one tick, and no new cradle."""
 
     def release(pend_list):
         for pend in pend_list[:1]:  # your program may have another angle
@@ -270,11 +290,18 @@ def test_the_cradle_ticks():
         what=what,
         results=results,
     )
+    old = shapes()
+
+    def see_left_over(_):
+        parts = [part for pend in player.pend_list for part in pend["objects"]]
+        return left_over(old, parts)
+
+    expect(PROGRAM, player, see=see_left_over, **LEFT_OVER)
 
 
 @check(PROGRAM)
 def test_a_new_run_reads_the_csv_again():
-    """Creates the Newton's cradle visualisation from data in the CSV file."""
+    """Each run of the program makes a new cradle from the CSV."""
     files = [*running.get().code.shipped.parent.glob("*.csv")]  # NC_FP, and your own
 
     def write(rows):
@@ -318,7 +345,7 @@ def numbers_in(files) -> set[int]:
 
 @check(PROGRAM)
 def test_in_the_cradle_bobs_collide():
-    """This is where you put everything you have written so far to use."""
+    """In one turn of the loop, a push reaches the last bob."""
 
     def push(pend_list):
         for i, pend in enumerate(pend_list):
@@ -337,3 +364,38 @@ def test_in_the_cradle_bobs_collide():
         see=lambda _: [omega for omega, _ in player.states[-1]],
         what=Each(("omega",)),
     )
+
+
+def new_row(relative_filepath, *constants):
+    """Stand in for make_newton_cradle: return three pendula; the first one has the arguments."""
+    pend_list = hang_row(3)
+    pend_list[0]["made with"] = Path(relative_filepath).is_file(), *constants
+    return pend_list
+
+
+def turn(pend_list, *constants):
+    """Stand in for newton_cradle_tick: add 1 to theta of the first pendulum."""
+    pend_list[0]["theta"] += 1
+    pend_list[0]["moved with"] = constants
+
+
+@check(PROGRAM, make_newton_cradle=new_row, newton_cradle_tick=turn)
+def the_program_alone():
+    """The program makes one cradle; each turn of the loop does one tick."""
+    player = CheckPlayer(3)
+
+    def see(_):
+        first = player.pend_list[0] if player.pend_list else {}
+        thetas = [pendula[0][1] for pendula in player.states]
+        ticks = [theta - thetas[0] for theta in thetas]
+        return first.get("made with"), first.get("moved with"), ticks
+
+    constants = (True, R_PARAM, THETA_INIT), (R_PARAM, DT, G)
+    what = Several(
+        (
+            Subject("CSV and constants of make_newton_cradle"),
+            Subject("constants of newton_cradle_tick"),
+            Subject("ticks before each turn of the loop"),
+        )
+    )
+    expect(PROGRAM, player, expected=(*constants, [0, 1, 2, 3]), see=see, what=what)

@@ -5,27 +5,26 @@ if __name__ == "__main__":
 
     refuse_to_run()
 
-from itertools import cycle, product
 from math import pi
 
 from vpython import vector
 
 from grading.checks import check
 from grading.cradles import hang
-from grading.grader import expect, usable_result
+from grading.grader import expect
 from grading.subject import Several, Subject
 from grading.words import text_of
 from support.pendulum import contact_distance
 
 STEPS = {
-    "handle_collision": "both omegas become linear velocities; the two formulas of the appendix "
-    "use these, never each other; both results become angular again.",
+    "handle_collision": "both omegas become linear velocities; the two formulas of Physics 3 "
+    "use these; both results become angular again.",
     "handle_two_bobs": "mass, omega and bob of both, e of pend1; if the bobs are close, "
     "handle_collision gives the new omegas; each pendulum stores its own.",
 }
 
 # The arguments e, omega1, omega2, m1, m2, and the result; by hand from the two formulas of the
-# appendix.
+# physics.
 HIT = (0.7, 3.0, -4.0, 2.0, 8.0)
 AFTER = (-6.52, -1.62)
 COLLISIONS = [
@@ -40,19 +39,11 @@ COLLISIONS = [
     ((0.9, 2.0, 2.0, 1.0, 5.0), (2.0, 2.0)),  # no approach, no change
     # They move apart; the function does not check this
     ((0.5, -1.0, 2.0, 1.0, 1.0), (1.25, -0.25)),
-    ((0.5, 0.0, -3.0, 1.0, 1.0), (-2.25, -0.75)),  # the first one is at rest
     ((0.5, -1.0, -4.0, 1.0, 2.0), (-4.0, -2.5)),  # both to the left
     ((0.5, 4.0, 1.0, 1.0, 2.0), (1.0, 2.5)),  # both to the right
-    ((0.5, -2.0, 1.0, 1.0, 2.0), (1.0, -0.5)),
-    ((0.1, 2.0, 0.0, 1.0, 1.0), (0.9, 1.1)),  # e near 0
-    ((0.98, 2.0, 0.0, 1.0, 1.0), (0.02, 1.98)),  # e near 1
     ((0.5, 1.0, 0.0, 0.25, 24.75), (-0.485, 0.015)),  # masses far apart
     ((0.5, 1.0, 0.0, 24.75, 0.25), (0.985, 1.485)),
-    ((0.5, 1.0, 0.0, 4.9, 5.1), (0.235, 0.735)),  # masses nearly equal
-    ((0.5, 1.0, 0.0, 0.25, 249.75), (-0.4985, 0.0015)),  # masses very far apart
-    ((0.5, 1.0, 0.0, 249.75, 0.25), (0.9985, 1.4985)),
     ((0.5, 4e-8, 0.0, 1.0, 1.0), (1e-8, 3e-8)),  # slowly
-    ((0.5, 400.0, 0.0, 1.0, 1.0), (100.0, 300.0)),  # fast
 ]
 
 
@@ -143,27 +134,27 @@ def check_hit(expected, e, omega1, omega2, m1, m2, r_param, **options):
 
 @check("handle_collision")
 def test_handle_collision():
-    """Returns a tuple of the new angular velocities of both bobs."""
+    """Both new omegas are right when bobs of different masses meet."""
     check_hit(AFTER, *HIT, 0.4, results=RESULTS)
 
 
 @check("handle_collision")
 def test_collisions_from_elastic_to_inelastic():
-    """If e = 0, it is a perfectly inelastic collision; if e = 1, elastic."""
+    """Both new omegas are right for any e, any masses and any omegas."""
     for arguments, expected in COLLISIONS:
         check_hit(expected, *arguments, 0.4)
 
 
 @check("handle_collision")
 def test_the_cord_length_does_not_matter():
-    """Convert omega to linear velocities v = R omega, and back."""
+    """Cords of any length give the same new omegas."""
     for r_param in (0.2, 1.0, 3.0):
         check_hit(AFTER, *HIT, r_param)
 
 
 @check("handle_collision")
 def test_laws_of_the_collision():
-    """The system should conserve kinetic energy and linear momentum."""
+    """A hit keeps the momentum and, with e = 1, the kinetic energy."""
     momentum = Subject("momentum m1 new_omega1 + m2 new_omega2")
     energy = Subject("energy m1 new_omega1^2 + m2 new_omega2^2")
     for m1, m2 in ((1.0, 1.0), (0.2, 5.0), (7.0, 0.1)):
@@ -188,6 +179,7 @@ LEFT = 4.0  # omega of pend1 before
 # The omegas of both after, with e = 0.5 and equal masses.
 HITS = (1.0, 3.0)
 MISSES = (4.0, 0.0)
+KNOWN_HITS = []  # pairs of arguments of handle_collision, without r_param, and what it gives
 
 
 def pair(apart=1.0, radius1=0.5, radius2=0.5, **values):
@@ -229,7 +221,10 @@ def expect_omegas(expected, pend1, pend2, r_param, **options):
 
 
 def help_for(pend1, pend2, r_param, expected) -> str:
-    """Return whether the bobs of these pendula touch, and what handle_collision gives then."""
+    """Return whether the bobs of these pendula touch, and what handle_collision gives then.
+
+    Its stand-in, known_hit, gives this from now on.
+    """
     bob1 = pend1["objects"][1]
     bob2 = pend2["objects"][1]
     apart = (bob1.pos - bob2.pos).mag
@@ -238,13 +233,14 @@ def help_for(pend1, pend2, r_param, expected) -> str:
     if apart > contact:
         return f"These bobs do not touch: {distance}, more than {text_of(contact)} m."
     values = pend1["e"], pend1["omega"], pend2["omega"], pend1["mass"], pend2["mass"], r_param
+    KNOWN_HITS.append((values[:-1], expected))
     gives = f"handle_collision{text_of(values)} gives {text_of(expected)}"
     return f"These bobs touch: {distance}, at most {text_of(contact)} m. {gives}."
 
 
 @check("handle_two_bobs")
 def test_masses_and_omegas_are_those_of_each():
-    """For each pendulum dictionary, get the masses, bobs and angular velocity (omega)."""
+    """Each pendulum goes into the collision with its own mass and omega."""
     again = (
         "This is the result if handle_collision is called again after pend1 has changed. Call it "
         "once, for both."
@@ -270,7 +266,7 @@ def test_masses_and_omegas_are_those_of_each():
 
 @check("handle_two_bobs")
 def test_bobs_that_touch_collide():
-    """Check if the bobs are at most 1.05 times the sum of their radii apart."""
+    """Two bobs collide up to exactly 1.05 times the sum of their radii."""
     for apart in (1.0, 0.2, 1.02, 1.04):
         check_pair(HITS, apart)
     # Every way to compute 1.05 times the sum of the radii gives exactly 21
@@ -287,7 +283,7 @@ def test_bobs_that_touch_collide():
 
 @check("handle_two_bobs")
 def test_bobs_that_do_not_touch_go_on():
-    """We add a little bit of buffer to what is considered a 'collision'."""
+    """Beyond 1.05 times the sum of their radii, bobs keep their omegas."""
     for apart in (9.0, 1.0504):
         check_pair(MISSES, apart)
     for theta1, theta2 in (
@@ -303,7 +299,7 @@ def test_bobs_that_do_not_touch_go_on():
 
 @check("handle_two_bobs")
 def test_both_radii_count():
-    """You can access positions and radii of VPython objects with bob.pos and bob.radius."""
+    """The radii of both bobs decide whether they touch."""
     check_pair(HITS)
     for sizes in ((1.0, 0.9, 0.2), (1.0, 0.2, 0.9)):
         check_pair(HITS, *sizes)
@@ -313,7 +309,7 @@ def test_both_radii_count():
 
 @check("handle_two_bobs")
 def test_e_is_the_first_pendulums():
-    """From only the first dictionary, get the coefficient of restitution."""
+    """The collision takes e from pend1, whatever e pend2 has."""
     check_pair((1.0, 3.0), e1=0.5, e2=1.0)
     check_pair((0.0, 4.0), e1=1.0, e2=0.5)
     check_pair((2.0, 2.0), e1=0, e2=1.0)
@@ -326,19 +322,13 @@ def test_e_is_the_first_pendulums():
 
 @check("handle_two_bobs")
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
-    """If true, use the helper function handle_collision to get the new angular velocity values for
-    both pendula.
-    """
+    """Bobs that touch collide, whatever their omegas are."""
     check_pair(HITS)
     check_pair((1.25, -0.25), omega1=-1.0, omega2=2.0)
     check_pair((-2.25, -0.75), omega1=0.0, omega2=-3.0)
     check_pair((-2.5, -1.5), omega1=-1.0, omega2=-3.0)
     check_pair((1.75, 3.25), omega2=1.0)
     check_pair((1e-8, 3e-8), omega1=4e-8)
-    es_and_masses = product((0, 0.1, 0.5, 0.9, 0.98, 1), (0.05, 1.0, 3.0, 600.0))
-    for (e, mass), omega in zip(es_and_masses, cycle((-5.0, 0.0, 6.0))):
-        expected = usable_result("handle_collision", e, LEFT, omega, 1.0, mass, 4.0)
-        check_pair(expected, e1=e, e2=0.25, mass2=mass, omega2=omega)
 
 
 def all_but_omega(pend):
@@ -351,7 +341,7 @@ def all_but_omega(pend):
 
 @check("handle_two_bobs")
 def test_omegas_are_updated_and_nothing_else():
-    """Then, update both dictionaries with their respective new omega values."""
+    """Nothing but the omegas changes, whether the bobs touch or not."""
     for apart in (1.0, 2.0):
         pends = pair(apart, mass1=2.0, theta1=0.01, e2=0.9, theta2=0.02)
         expect(
@@ -366,7 +356,27 @@ def test_omegas_are_updated_and_nothing_else():
 
 @check("handle_two_bobs")
 def test_earlier_calls_do_not_matter():
-    """Handles the pairwise interactions between two bobs."""
+    """Bobs that still touch collide again in the next call."""
     pends = pair()
     for expected in ((1.0, 3.0), (2.5, 1.5), (1.75, 2.25)):
         expect_omegas(expected, *pends, 4.0)
+
+
+def known_hit(*arguments):
+    """Stand in for handle_collision: return what is known, or (7, 8)."""
+    for known, expected in KNOWN_HITS:
+        if known == arguments[:-1]:
+            return expected
+    return 7.0, 8.0
+
+
+@check("handle_two_bobs", handle_collision=known_hit)
+def handle_two_bobs_alone():
+    """Only bobs that touch get the omegas that handle_collision gives."""
+    test_masses_and_omegas_are_those_of_each()
+    test_bobs_that_touch_collide()
+    test_bobs_that_do_not_touch_go_on()
+    test_both_radii_count()
+    test_e_is_the_first_pendulums()
+    test_omegas_are_updated_and_nothing_else()
+    test_earlier_calls_do_not_matter()

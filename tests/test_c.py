@@ -23,7 +23,7 @@ STEPS = {
 }
 
 # The arguments omega, theta, r_param, dt, g, and the result; by hand from the two formulas of the
-# appendix.
+# physics.
 STEP = (3.0, 5 * pi / 6, 0.4, 0.1, 8.0)
 AFTER = (2.0, 5 * pi / 6 + 0.2)  # omega falls by 1
 OTHER_SWINGS = [
@@ -31,7 +31,6 @@ OTHER_SWINGS = [
     ((2.0, -pi / 6, 0.5, 0.1, 10.0), (3.0, -pi / 6 + 0.3)),
     ((0.0, pi / 2, 2.0, 0.01, 9.8), (-0.049, pi / 2 - 0.00049)),  # from rest, cord level
     ((1.5, 0.0, 0.2, 0.01, 9.81), (1.5, 0.015)),  # straight down, gravity does not turn it
-    ((0.0, 0.0, 0.2, 0.01, 9.81), (0.0, 0.0)),  # it stays at rest
     ((1.0, pi, 0.3, 0.5, 9.81), (1.0, pi + 0.5)),  # straight up, gravity does not turn it either
     # More than 90 degrees: sin, not the angle itself
     ((-1.0, 5 * pi / 6, 0.25, 0.2, 5.0), (-3.0, 5 * pi / 6 - 0.6)),
@@ -41,7 +40,6 @@ OTHER_SWINGS = [
     # It may go full circles, in both directions
     ((200.0, 3 * pi / 2, 0.5, 0.1, 10.0), (202.0, 3 * pi / 2 + 20.2)),
     ((-9.0, -3 * pi, 0.5, 1.0, 10.0), (-9.0, -3 * pi - 9.0)),
-    ((9.0, 40 * pi, 0.5, 1.0, 10.0), (9.0, 40 * pi + 9.0)),
     ((4e-8, 0.0, 0.5, 0.1, 10.0), (4e-8, 4e-9)),  # very slowly
     ((1.0, pi / 6, 0.5, 0.0, 10.0), (1.0, pi / 6)),  # no time, no change
     ((1.0, pi / 6, 0.5, 0.1, 0.0), (1.0, pi / 6 + 0.1)),  # no gravity: theta still moves with omega
@@ -111,13 +109,13 @@ def check_step(arguments, expected, **options):
 
 @check("angle_update")
 def test_angle_update():
-    """Takes in theta and omega and updates them for a given timestep dt."""
+    """Gravity changes omega, then the new omega moves theta."""
     check_step(STEP, AFTER, results=RESULTS)
 
 
 @check("angle_update")
 def test_angle_update_of_other_swings():
-    """Theta is the angle formed by the cord normal to the axle."""
+    """A step is right at all angles, fast or slow, also without gravity."""
     for arguments, expected in OTHER_SWINGS:
         check_step(arguments, expected)
 
@@ -156,7 +154,7 @@ def expect_swing(pend_list, **options):
 
 @check("full_swing_update")
 def test_every_pendulum_swings_once():
-    """Uses the helper function swing_update to each pendulum in the Newton's cradle."""
+    """Each pendulum swings exactly once, also in a long or empty pend_list."""
     for count in (3, 10, 40):
         pend_list, after = swinging_row(count)
         expect_swing(pend_list, expected=after, **see_each(pend_list, "omega", "theta"))
@@ -175,7 +173,7 @@ def test_every_pendulum_swings_once():
 
 @check("full_swing_update")
 def test_bobs_and_cords_move():
-    """Updates the angle and position of the pendulum components."""
+    """The same bob and cord move to the new theta; the axle stays."""
     pend_list, after = swinging_row(3)
     objects = [pend["objects"] for pend in pend_list]
 
@@ -205,7 +203,7 @@ def test_bobs_and_cords_move():
 
 @check("full_swing_update")
 def test_a_swing_changes_nothing_else():
-    """The pend_dict is updated."""
+    """Each pendulum keeps its objects, and all values but omega and theta."""
     pend_list, _ = swinging_row(3)
     bobs = [pend["objects"][1] for pend in pend_list]
     for bob in bobs:
@@ -237,8 +235,22 @@ def as_before(thing):
 
 @check("full_swing_update")
 def test_a_swing_is_no_collision():
-    """The functionality of each individual pendulum: how each pendulum swings."""
+    """Bobs that touch only swing: they do not collide here."""
     omegas = [1.0, -1.0, 0.5]
     pend_list = touching(*omegas)
     states = see_each(pend_list, "omega")
     expect("full_swing_update", pend_list, R, 1e-9, 9.81, expected=omegas, **states)
+
+
+# What angle_update gives, by its arguments
+STEPPED = {(2.0, -pi / 6, 0.25, 0.2, 5.0): (4.0, 0.8 - pi / 6)}
+for (theta, omega, *_), after in SWINGING:
+    STEPPED[omega, theta, 0.5, 0.1, 10.0] = after
+
+
+@check("full_swing_update", angle_update=lambda *arguments: STEPPED.get(arguments, (7.0, 8.0)))
+def full_swing_update_alone():
+    """Each pendulum gets the omega and theta that angle_update gives for its values."""
+    test_every_pendulum_swings_once()
+    test_bobs_and_cords_move()
+    test_a_swing_changes_nothing_else()

@@ -5,6 +5,8 @@ if __name__ == "__main__":
 
     refuse_to_run()
 
+from pathlib import Path
+
 from vpython import box, color, cylinder, sphere, textures, vector
 
 from grading.checks import check
@@ -32,7 +34,17 @@ STEPS = {
 
 
 THREE = [Expected("a dictionary", lambda pend: isinstance(pend, dict), like={})] * 3
-ROWS = {"mixed": MIXED, "seven": SEVEN, "many": MANY, "none": []}
+ROWS = {"mixed": MIXED, "seven": SEVEN, "many": MANY, "one": [ONE], "none": []}
+
+
+def rows_of(relative_filepath):
+    """Stand in for extract_and_convert: return the rows of a file of these checks."""
+    return [dict(row) for row in ROWS.get(Path(relative_filepath).stem, [])]
+
+
+def rows_with_e(relative_filepath, e_val):
+    """Stand in for uniform_e_newton_cradle: return the rows of a file of these checks, with e."""
+    return [{**row, "e": e_val} for row in rows_of(relative_filepath)]
 
 
 def values_of(first, key):
@@ -60,7 +72,7 @@ def converts_assistants() -> bool:
 
 @check("extract_and_convert")
 def test_pend_list_is_a_list_of_dictionaries():
-    """Each pendulum is represented by a dictionary in a list called pend_list."""
+    """The result is a list with one dictionary for each row."""
     single_values = []
     single_dictionaries = []
     for row in MIXED:
@@ -78,15 +90,15 @@ def test_pend_list_is_a_list_of_dictionaries():
 
 @check("extract_and_convert")
 def test_a_row_is_a_pendulum():
-    """The value of a key is the value associated with that attribute."""
-    with files("mixed.csv", "seven.csv", "many.csv", "none.csv") as folder:
+    """The dictionaries have the values of the rows, in the same order."""
+    with files(*FILES) as folder:
         for name, rows in ROWS.items():
             expect("extract_and_convert", str(folder / f"{name}.csv"), expected=rows)
 
 
 @check("extract_and_convert")
 def test_the_file_given_is_read():
-    """Creates and returns pend_list with the provided relative_filepath."""
+    """Each call reads the CSV again, and returns a new pend_list."""
     with files("one.csv") as folder:
         first = expect("extract_and_convert", "one.csv", expected=[ONE])
         (folder / "one.csv").write_text(csv_of([ONE, {**ONE, "mass": 4.0}]))
@@ -126,33 +138,33 @@ def check_uniform(function, *arguments, key, value):
         )
 
 
+@check("uniform_mass_newton_cradle", extract_and_convert=rows_of)
 @check("uniform_mass_newton_cradle")
 def test_uniform_mass():
-    """All the pendulum's mass values are assigned the value mass."""
+    """Each pendulum gets the given mass; all its other values stay."""
     for mass in (12.125, 0.5):
         check_uniform("uniform_mass_newton_cradle", mass, key="mass", value=mass)
 
 
+@check("uniform_e_newton_cradle", extract_and_convert=rows_of)
 @check("uniform_e_newton_cradle")
 def test_uniform_e():
-    """All the pendulum's coefficients of restitution are assigned the e value."""
+    """Each pendulum gets e_val as its e; all its other values stay."""
     for e in (0.0625, 0, 1):
         check_uniform("uniform_e_newton_cradle", e, key="e", value=e)
 
 
+@check("elastic_newton_cradle", uniform_e_newton_cradle=rows_with_e)
 @check("elastic_newton_cradle")
 def test_elastic():
-    """Returns a pend_list such that each pendulum has a perfectly elastic restitution coefficient
-    value.
-    """
+    """Each e is 1 (perfectly elastic); all other values stay."""
     check_uniform("elastic_newton_cradle", key="e", value=1)
 
 
+@check("inelastic_newton_cradle", uniform_e_newton_cradle=rows_with_e)
 @check("inelastic_newton_cradle")
 def test_inelastic():
-    """Returns a pend_list such that each pendulum has a perfectly inelastic restitution coefficient
-    value.
-    """
+    """Each e is 0 (perfectly inelastic); all other values stay."""
     check_uniform("inelastic_newton_cradle", key="e", value=0)
 
 
@@ -176,18 +188,18 @@ def expect_cradle(see, what, expected, file="mixed.csv", r_param=R, theta_init=0
 
 @check("make_newton_cradle")
 def test_a_cradle_keeps_the_files_values():
-    """Creates the list of pendulum dictionaries from relative_filepath."""
+    """Each pendulum keeps the mass, e, color and texture of its row."""
 
     def kept(pend):
         return {key: pend[key] for key in ("mass", "e", "color", "texture")}
 
-    for name, rows in (("mixed", MIXED), ("one", [ONE]), ("seven", SEVEN), ("many", MANY)):
-        expect_cradle(kept, Each(()), [*map(kept, rows)], file=f"{name}.csv")
+    for name in ("mixed", "seven", "many", "one"):
+        expect_cradle(kept, Each(()), [*map(kept, ROWS[name])], file=f"{name}.csv")
 
 
 @check("make_newton_cradle")
 def test_the_first_pendulum_is_lifted():
-    """theta should be theta_init for the first pendulum, 0 for all the others."""
+    """The first pendulum starts at theta_init, all others at 0."""
     for theta_init, name, count in (
         (0.6, "mixed", 3),
         (-0.3, "one", 1),
@@ -208,15 +220,13 @@ def test_the_first_pendulum_is_lifted():
 
 @check("make_newton_cradle")
 def test_all_pendula_start_at_rest():
-    """omega: the angular velocity, which should be 0 for all the pendula."""
+    """Each pendulum starts at rest: its omega is 0."""
     expect_cradle(lambda pend: pend["omega"], Each(("omega",)), [0, 0, 0])
 
 
 @check("make_newton_cradle")
 def test_objects_are_axle_bob_and_cord():
-    """objects: a tuple of (axle, bob, and cord) VPython object that are the parts of the
-    pendulum.
-    """
+    """Each pendulum has its own tuple of axle, bob and cord, made once."""
 
     def are_parts(objects):
         if not isinstance(objects, tuple) or len(objects) != 3:
@@ -251,9 +261,7 @@ def test_objects_are_axle_bob_and_cord():
 
 @check("make_newton_cradle")
 def test_axle_positions():
-    """The axle position of the ith pendulum can be defined as axle_pos = vector((-0.1+r_param/4 *
-    i), r_param/5, 0).
-    """
+    """The axles are r_param/4 apart, from x = -0.1 on, and r_param/5 high."""
     # The file, the number of its rows, r_param, and by hand the distance and the height of the
     # axles (m).
     for file, count, r_param, apart, height in (
@@ -273,7 +281,7 @@ def test_axle_positions():
 
 @check("make_newton_cradle")
 def test_bobs_hang_from_their_axles():
-    """Use one relevant helper function to create the tuple of objects."""
+    """Each bob and cord hangs at its own theta, as make_pendulum makes it."""
 
     def place(pend):
         axle, bob, _ = pend["objects"]
@@ -309,7 +317,7 @@ def test_bobs_hang_from_their_axles():
 
 @check("make_newton_cradle")
 def test_bobs_have_the_color_and_texture_of_their_row():
-    """Use COLOR_MAP and TEXTURE_MAP to find the VPython analog color and texture objects."""
+    """Each bob has VPython's color and texture for the names in its row."""
 
     def looks(pend):
         bob = pend["objects"][1]
@@ -332,7 +340,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
 
 @check("make_newton_cradle")
 def test_the_pend_list_is_returned():
-    """Return the updated pend_list."""
+    """Each call makes and returns a pend_list of its own."""
     with files("mixed.csv"):
         first = expect("make_newton_cradle", "mixed.csv", R, 0.6, expected=THREE)
         expect(
@@ -344,3 +352,16 @@ def test_the_pend_list_is_returned():
             see=lambda second: (first[0]["theta"], second[0]["theta"]),
             what=first_and_this("first theta"),
         )
+
+
+@check("make_newton_cradle", extract_and_convert=rows_of)
+def make_newton_cradle_alone():
+    """Each row of the CSV gets its theta, omega and objects."""
+    test_a_cradle_keeps_the_files_values()
+    test_the_first_pendulum_is_lifted()
+    test_all_pendula_start_at_rest()
+    test_objects_are_axle_bob_and_cord()
+    test_axle_positions()
+    test_bobs_hang_from_their_axles()
+    test_bobs_have_the_color_and_texture_of_their_row()
+    test_the_pend_list_is_returned()

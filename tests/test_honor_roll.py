@@ -51,7 +51,7 @@ def check_double_pendulum(
 
 @check("make_double_pendulum")
 def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
-    """Define a make_double_pendulum() that makes the double-pendulum structure."""
+    """It returns all parts that it makes: axle, bob1, cord1, bob2, cord2."""
     kinds = box, sphere, cylinder, sphere, cylinder
 
     def are_parts(found):
@@ -67,7 +67,7 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
 
 @check("make_double_pendulum")
 def test_bobs_are_where_the_angles_say():
-    """Correctly calculated positions for all the components."""
+    """Axle and bobs are where axle_pos, theta, phi and r_param put them."""
 
     def see(objects):
         axle, bob1, _, bob2, _ = objects
@@ -99,7 +99,7 @@ def test_bobs_are_where_the_angles_say():
 
 @check("make_double_pendulum")
 def test_cords_hold_the_bobs():
-    """The second pendulum (cord2 and bob2) is attached to the first one."""
+    """cord1 joins the axle and bob1, cord2 joins both bobs."""
 
     joint = AXLE + arm(0.7, CORD)
     end = joint + arm(1.1, CORD)
@@ -122,7 +122,7 @@ def test_cords_hold_the_bobs():
 
 @check("make_double_pendulum")
 def test_both_bobs_have_the_looks_that_are_given():
-    """To customize the bobs, we use VPython's textures and colors."""
+    """Both bobs show the given color and texture, in the usual size."""
 
     looks = "color", "texture", "radius", "visible"
 
@@ -176,7 +176,7 @@ def expect_update(*arguments, help="", **options):
 
 @check("double_angle_update")
 def test_both_angles_are_updated():
-    """Define a double_angle_update() that updates both angles of the pendulum."""
+    """With dt = 0, nothing moves; a straight pendulum without gravity turns evenly."""
     counted = (
         "This is the result if phi is measured from straight down. It is measured from the "
         "upper cord; omega_phi, too."
@@ -199,9 +199,7 @@ def test_both_angles_are_updated():
 
 @check("double_angle_update")
 def test_the_accelerations_are_those_of_the_laws_of_motion():
-    """Here, it is important to choose a valid reference frame (the function's docstring names
-    it).
-    """
+    """In a tiny dt, omega_theta and omega_phi change by the right accelerations."""
     for state, expected in ACCELERATIONS:
         check_accelerations(state, expected, LENGTH, G)
         check_accelerations(state, expected, 2.0, 40.0)
@@ -256,7 +254,7 @@ SWINGS = [
 
 @check("double_angle_update")
 def test_a_tenth_of_a_second_of_swinging():
-    """The two pendula oscillate with the angles theta and phi."""
+    """After 0.1 s in short steps, all four values are nearly exact."""
     for (theta, phi, m1, m2), end in SWINGS:
         # The steps are short enough for every method of the first order
         arguments = 0.0, 0.0, theta, phi, LENGTH, 5e-4, 9.81, m1, m2

@@ -85,13 +85,12 @@ class Cradle:
         require_numbers(self.tick_function, self.pend_list, keys)
 
     def remark(self) -> str:
-        """Return a sentence that names a key which the handout does not have, or ""."""
+        """Return a sentence that names a key which the assignment does not have, or ""."""
         for number, pend in enumerate(self.pend_list, start=1):
             for key in pend:
                 if key not in self.known_keys:
-                    return (
-                        f"Pendulum {number} has the key {key!r}, which the handout does not have."
-                    )
+                    begin = f"Pendulum {number} has the key {key!r}"
+                    return f"{begin}, which the assignment does not have."
         return ""
 
     # --- the release ---------------------------------------------------------------------------

@@ -55,14 +55,14 @@ def main_module(file: Path) -> ModuleType:
     return module
 
 
-def run_file(module: ModuleType) -> None:
-    """Run the file of a main module from its top; the module then has its names."""
+def run_file(module: ModuleType, code: CodeType | None = None) -> None:
+    """Run the file of a main module from its top, or this code; the module then has its names."""
     outer = {name: sys.modules.get(name) for name in ("__main__", *BEGINNINGS)}
     sys.modules["__main__"] = module
     for beginning in BEGINNINGS:
         sys.modules.setdefault(beginning, module)  # an import finds it, and runs nothing
     try:
-        exec(code_of(str(module.__file__)), vars(module))
+        exec(code or code_of(str(module.__file__)), vars(module))
     finally:
         put_back(outer)
 

@@ -9,6 +9,8 @@ import sys
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 # Modules that the programs use, beside Python's own
 USED = ("numpy", "pandas", "support", "vpython")
+# What a program imports first; started by themselves, they are no programs
+STARTS = ("begin.py", "begin_page.py")
 
 
 def require_python() -> None:
@@ -38,6 +40,8 @@ def begin() -> None:
     a module of Python's: what follows can then fail.
     """
     require_python()
+    if os.path.basename(sys.argv[0]) in STARTS:
+        refuse_to_run()
     for sentence in taken_names():
         print(sentence, file=sys.stderr)
     # Not earlier: an older Python cannot compile it.

@@ -2,8 +2,8 @@
 
 from collections import Counter
 
+from grading.assignment import highest, HONOR, SUITES
 from grading.checks import Check
-from grading.handout import highest, SUITES
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED, WAITING
 
 
@@ -21,12 +21,17 @@ class Results:
         outcomes = self.outcomes
         return [(check, outcomes[name]) for name, check in self.checks.items() if name in outcomes]
 
+    @property
+    def is_whole(self) -> bool:
+        """Whether all checks ran."""
+        return len(self.ran) == len(self.checks)
+
     def grade(self) -> dict:
         """Return the grade for a gradebook.
 
-        It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "next"},
-        without the tiers that have no outcomes. The grade is the highest complete tier, with all
-        tiers below it complete, or None.
+        It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "missing",
+        "next"}, without the tiers that have no outcomes. The grade is the highest complete tier,
+        with all tiers below it complete, or None. missing is a sentence about the next letter.
         """
         tiers = {}
         of = Counter(check.tier for check in self.checks.values())
@@ -41,7 +46,23 @@ class Results:
                     "of": of[tier],
                 }
         points = {tier: counts["points"] for tier, counts in tiers.items()}
-        return {"tiers": tiers, "grade": highest(points, of), "next": self.next_step()}
+        return {
+            "tiers": tiers,
+            "grade": highest(points, of),
+            "missing": self.missing_for_a_letter(tiers) if self.is_whole else "",
+            "next": self.next_step(),
+        }
+
+    def missing_for_a_letter(self, tiers: dict[str, dict]) -> str:
+        """Return what the first tier lacks that is not complete, or "": the honor roll is extra."""
+        for tier, counts in tiers.items():
+            missing = counts["of"] - counts["points"]
+            if missing and tier != HONOR:
+                wrong = [check for check, outcome in self.ran if outcome.state != PASSED]
+                names = {check.function: None for check in wrong if check.tier == tier}
+                named = " and ".join(names) if len(names) < 3 else f"{len(names)} functions"
+                return f"For {tier}: {named}, {missing} of {counts['of']} points missing."
+        return ""
 
     def failed(self) -> list[tuple[Check, Outcome]]:
         """Return the checks that fail, those first whose file cannot be imported."""
@@ -55,7 +76,7 @@ class Results:
         }
 
     def next_step(self) -> str:
-        """Return the next step.
+        """Return the next step for the checks that ran, or "".
 
         It is a file that Python cannot read, else the first function with a mistake, else the first
         that is not written.
@@ -67,11 +88,7 @@ class Results:
         for check, outcome in self.ran:
             if outcome.state == WAITING:
                 return f"{outcome.waits_for}, which {check.function} waits for"
-        for name, check in self.checks.items():
-            if name not in self.outcomes:
-                tier = check.tier.split()[0]
-                return f"run the checks of tier {tier}: pytest --tier {tier}"
-        return "all functions with a check are right"
+        return ""
 
 
 def place_of_failure(check: Check, outcome: Outcome) -> str:

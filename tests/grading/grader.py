@@ -1,9 +1,7 @@
 """The grader: it performs checks, which call the student's functions through expect.
 
-A check is a function in a suite, such as test_d.py, with @check above it, which names the function
-of the handout. Its docstring, in words of the handout, is its title. expect calls the function, and
-compares the result, or the changed arguments, with the expected ones. How the function is written
-does not matter. outcomes.py judges the checks.
+expect calls the function, and compares the result, or the changed arguments, with the expected
+ones. How the function is written does not matter. outcomes.py judges the checks.
 """
 
 from collections.abc import Callable, Iterable, Sequence
@@ -12,7 +10,8 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import Any
 
-from grading.checks import Check, collect
+from grading.assignment import FUNCTIONS, is_students, PROGRAM
+from grading.checks import Check, collect, stand_in
 from grading.comparing import (
     both,
     fits,
@@ -23,7 +22,6 @@ from grading.comparing import (
     OTHER_FORM,
 )
 from grading.given import defined_twice
-from grading.handout import FUNCTIONS, is_students, PROGRAM
 from grading.limits import CLOCK, is_for_want_of_shared, Limits
 from grading.messages import about, Call, own_copies, plain, PlainFile
 from grading.raised import Place, StoppedError
@@ -31,6 +29,8 @@ from grading.students_code import MissingError, StudentsCode
 from grading.subject import result_of, Subject, What
 from grading.words import text_of
 from line_by_line.trace import Trace
+
+NOT_CALLED = "its stand-in"  # the cause of a WaitError: the function has not called it
 
 running: ContextVar["Grader"] = ContextVar("running")  # the grader that performs a check now
 
@@ -93,6 +93,8 @@ class Performance:
     told: int | None = None  # the check goes on after wrong calls; this one of them is traced
     advice: list[str] = field(default_factory=list)  # for a student whose solution is right
     errors: list[WrongError] = field(default_factory=list)  # the wrong calls
+    stand_ins: dict[str, Callable] = field(default_factory=dict)  # by function
+    called: set[str] = field(default_factory=set)  # the functions whose stand-in was called
 
 
 class Grader:
@@ -102,7 +104,7 @@ class Grader:
         self, has_terminal: bool = False, end: Callable[[str], None] = lambda line: None
     ) -> None:
         """Without a terminal, nobody can debug. end(line) ends pytest with this line."""
-        self.checks, self.steps = collect()
+        self.checks, self.alone, self.steps = collect()
         self.code = StudentsCode()
         self.new_limits = lambda: Limits(has_terminal, end)
         self.limits = self.new_limits()  # those of the last performance
@@ -120,16 +122,27 @@ class Grader:
     ) -> Performance:
         """Let a check call the student's functions, within limits; return what is known of it.
 
-        Raise a WrongError or a WaitError. With told, go on after wrong calls; see Performance.
+        Raise a WrongError or a WaitError. If the function has not called each stand-in, nobody
+        knows whether it is right: raise a WaitError, whatever it gave. With told, go on after wrong
+        calls; see Performance.
         """
         performance = self.performance = Performance(check, trace, told)
+        for function, gives in check.stand_ins:
+            performance.stand_ins[function] = stand_in(function, gives, performance.called)
         self.limits = self.new_limits()
         token = running.set(self)
+        wrong = None
         try:
             with self.limits, chdir(self.code.folder.name):
                 check.ask()
+        except WrongError as error:
+            wrong = error
         finally:
             running.reset(token)
+        if performance.called != performance.stand_ins.keys():
+            raise WaitError(NOT_CALLED)
+        if wrong:
+            raise wrong
         return performance
 
     def run(self, call: Call, arguments: tuple, expected_line: tuple[str, Any]) -> Any:
@@ -142,9 +155,13 @@ class Grader:
         performance = self.performance
         is_before = len(performance.errors) <= (performance.told or 0)
         is_traced = is_before and call.function == performance.check.function
+        if performance.stand_ins and call.function == PROGRAM:
+            is_traced = False  # the import of its file would be traced
         trace = performance.trace if is_traced else None
         try:
-            return self.code.run(call.function, arguments, call.times, self.limits, trace)
+            return self.code.run(
+                call.function, arguments, call.times, self.limits, performance.stand_ins, trace
+            )
         except MissingError:
             mistake = Mistake(f"{file} has no function {call.function}.")
             raise WrongError(mistake, Call(call.function), []) from None
@@ -270,15 +287,8 @@ def unreadable(error: Exception, what: What, values: list) -> Mistake:
 
 
 def usable_result(function: str, *arguments: Any) -> Any:
-    """Call a function that has passed its own checks, and return its result.
-
-    If it returns nothing usable, this check waits for it.
-    """
-    result = running.get().run(Call(function, arguments), arguments, ("expected", "a result"))
-    names = FUNCTIONS[function].returns.split(", ")
-    if not isinstance(result, tuple) or len(result) != len(names):
-        raise WaitError(function)
-    return result
+    """Call a function that has passed its own checks, and return its result."""
+    return running.get().run(Call(function, arguments), arguments, ("expected", "a result"))
 
 
 def place_of(raised: StoppedError | None, function: str) -> Place | None:

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from grading.handout import FUNCTIONS, GIVEN, IMPORTS, is_students
+from grading.assignment import FUNCTIONS, GIVEN, IMPORTS, is_students
 
 KEYS = "mass|e|theta|omega|color|texture|objects"
 PARTS = "axle|bob|cord|pos|radius|axis"
@@ -23,6 +23,7 @@ TUPLE = "The bob is in the tuple objects of a pendulum: axle, bob, cord = pend['
 ROWS: list[tuple[Any, str, str]] = [
     (SyntaxError, "^invalid (non-printable )?character", "Delete the character at the mark (you may not see it), and type what belongs there. In Python, * multiplies, and ** is a power."),
     ((SyntaxError, ValueError), "null bytes|codec can't decode", "This file is not saved in UTF-8. Save it with the encoding UTF-8."),
+    (TypeError, "'(int|float)' object is not callable", "A number stands in front of the brackets, and a number is no function. To multiply, write *."),
     (TypeError, r"for \^", "In Python, ** is a power, and ^ is something else."),
     (NameError, rf"^name '({KEYS})' .*\n.*\[\1\]", r"A key is text. Write it in quotes: ['\1']."),
     (AttributeError, f"'dict' object has no attribute '({KEYS})'", r"A dictionary needs brackets and quotes, not a dot: ['\1']."),

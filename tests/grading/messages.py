@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from vpython import vector
 
-from grading.handout import FUNCTIONS, PROGRAM
+from grading.assignment import FUNCTIONS, PROGRAM
 from grading.raised import Place
 from grading.words import in_words, text_of
 from line_by_line.table import COLUMNS

@@ -7,12 +7,11 @@ import traceback
 from textwrap import wrap
 from typing import NamedTuple
 
+from grading.assignment import FUNCTIONS, needed
 from grading.checks import Check
-from grading.grader import Grader, WaitError, WrongError
-from grading.handout import FUNCTIONS, needed
+from grading.grader import Grader, NOT_CALLED, WaitError, WrongError
 from grading.raised import StoppedError
 from grading.story import Story, tell, what_is_wrong
-from grading.students_code import code_of, names_in
 from line_by_line.table import COLUMNS
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
@@ -36,11 +35,6 @@ class Outcome(NamedTuple):
     def is_unwritten(self) -> bool:
         return self.state == WAITING and bool(self.place)
 
-    @property
-    def is_wrong(self) -> bool:
-        """Whether the function has a mistake of its own, and not its file."""
-        return self.state in (FAILED, FAULT) and not self.broken_file
-
 
 def waiting(cause: str, place: str = "") -> Outcome:
     """Return the outcome of a check that waits for this cause."""
@@ -53,14 +47,14 @@ class Grading:
     def __init__(self, grader: Grader) -> None:
         self.grader = grader
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        self.missing: dict[str, Outcome | None] = {}  # see missing_outcome, by the function
+        self.alone: dict[str, Outcome] = {}  # of the checks with stand-ins, by function
         self.hung: set[str] = set()  # functions that went over a limit: they are not called again
         self.told: set[str] = set()  # functions whose first mistake has its story
         # Files that cannot be imported, and the file that is the cause
         self.broken: dict[str, str] = {}
 
     def judge(self, check: Check) -> Outcome:
-        """Return the outcome of a check. It waits if its function uses a function that is wrong."""
+        """Return the outcome of a check."""
         # In their order: the first one that fails has the story
         for other in self.grader.checks_of(check.function):
             if other.name not in self.outcomes:
@@ -71,30 +65,34 @@ class Grading:
 
     def outcome_of(self, check: Check) -> Outcome:
         """Return the outcome of a check that was not performed yet."""
-        causes = [name for name in needed(check.function) if self.is_not_right(name)]
+        function = check.function
+        causes = [name for name in needed(function) if self.is_not_right(name)]
         if not causes:
-            return waiting(check.function) if check.function in self.hung else self.perform(check)
-        return self.missing_outcome(check.function) or waiting(", ".join(causes))
+            return waiting(function) if function in self.hung else self.perform(check)
+        return self.outcome_alone(check, causes)
 
-    def missing_outcome(self, function: str) -> Outcome | None:
-        """Return the outcome if a function is not written, or its file cannot be imported.
+    def outcome_alone(self, check: Check, causes: list[str]) -> Outcome:
+        """Return the outcome of a check whose function needs some that are not right.
 
-        Its first check finds this out, once; but not after a function went over a limit.
+        One check with stand-ins for them decides about all checks of the function.
         """
-        if self.hung:
-            return None
-        if function not in self.missing:
-            self.told.add(function)  # it waits for others in this run, so nobody reads its story
-            outcome = self.perform(self.grader.checks_of(function)[0])
-            waits_for_file = outcome.waits_for in self.broken.values()
-            is_missing = outcome.is_unwritten or outcome.broken_file or waits_for_file
-            self.missing[function] = outcome if is_missing else None
-        return self.missing[function]
+        function = check.function
+        if function in self.alone:
+            outcome = self.alone[function]
+            is_told = outcome.state in (FAILED, FAULT)
+            return waiting(outcome.broken_file or function) if is_told else outcome
+        outcome = self.perform(self.grader.alone[function])
+        if outcome.waits_for == NOT_CALLED:
+            outcome = waiting(", ".join(causes))
+        self.alone[function] = outcome
+        return outcome
 
     def is_not_right(self, function: str) -> bool:
-        """Return whether the function is not written, or one of its own checks fails."""
+        """Return whether the function, or its file, is not written, or wrong."""
         outcomes = [self.judge(check) for check in self.grader.checks_of(function)]
-        return any(outcome.is_unwritten or outcome.is_wrong for outcome in outcomes)
+        is_broken = FUNCTIONS[function].file in self.broken
+        is_wrong = any(outcome.state in (FAILED, FAULT) for outcome in outcomes)
+        return is_broken or is_wrong or any(outcome.is_unwritten for outcome in outcomes)
 
     def perform(self, check: Check) -> Outcome:
         """Perform a check, and return its outcome."""
@@ -129,9 +127,6 @@ class Grading:
         function = check.function
         if error.raised and error.raised.limit:
             self.hung.add(function)
-        causes = self.wrong_functions_in(function)
-        if causes:
-            return waiting(", ".join(causes))
         story = Story(what_is_wrong(error, ""))
         if function not in self.told:
             self.told.add(function)
@@ -139,22 +134,19 @@ class Grading:
         place = story.place or FUNCTIONS[function].file
         return Outcome(FAILED, "\n".join(story.wrong), place=place, story=story)
 
-    def wrong_functions_in(self, function: str) -> list[str]:
-        """Return the wrong functions that a student uses and the handout does not ask for."""
-        if self.hung:
-            return []
-        functions = [*FUNCTIONS]
-        names = names_in(code_of(function))
-        used = [name for name in functions[: functions.index(function)] if name in names]
-        return [name for name in used if self.is_not_right(name)]
-
     def broken_by(self, check: Check, file: str, raised: StoppedError) -> Outcome:
         """Return the outcome of a check whose file cannot be imported.
 
-        The first one fails, and the others wait.
+        The first one fails, and the others wait. If the cause is another file of the assignment,
+        this one is imported without it.
         """
+        own_file = FUNCTIONS[check.function].file
+        is_of_assignment = any(function.file == file for function in FUNCTIONS.values())
+        if is_of_assignment and file != own_file and self.grader.code.replace(file):
+            return self.perform(check)
+        self.grader.code.replace(own_file)
         is_first = file not in self.broken.values()
-        self.broken[FUNCTIONS[check.function].file] = file
+        self.broken[own_file] = file
         if not is_first:
             return waiting(file)
         hint = raised.hint

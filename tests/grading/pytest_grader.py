@@ -19,11 +19,11 @@ import grading.begin  # noqa: F401
 
 import pytest
 
+from grading.assignment import HONOR, SUITES
 from grading.checks import Check
 from grading.given import changed_given
 from grading.grade import Results
 from grading.grader import Grader
-from grading.handout import SUITES
 from grading.outcomes import FAILED, FAULT, Grading, PASSED, WAITING
 from grading.screen import Line, Screen
 from support.constants import NC_FP
@@ -133,13 +133,15 @@ def pytest_report_teststatus(report: Any, config: pytest.Config) -> tuple[str, s
 def pytest_sessionfinish(session: Any) -> None:
     """Write the grade.
 
-    The exit status is 1 also if checks wait, and another one if the file cannot be written.
+    The exit status is 1 also if checks wait, but not for those of the honor roll, which is extra;
+    it is another one if the file cannot be written.
     """
     config = session.config
     if hasattr(config, "workerinput"):  # a process of xdist's, which ran only some of the checks
         return
     results = config.stash[RESULTS]
-    are_passed = all(outcome.state == PASSED for outcome in results.outcomes.values())
+    needed = [outcome for check, outcome in results.ran if check.tier != HONOR]
+    are_passed = all(outcome.state == PASSED for outcome in needed)
     if session.exitstatus == pytest.ExitCode.OK and not are_passed:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     file = config.option.grade_json
@@ -188,13 +190,12 @@ def screen_of_run(config: pytest.Config) -> list[Line]:
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     failed = getattr(reporter, "stats", {}).get("failed", [])
     printed = {name_of(failure): failure.capstdout for failure in failed}
-    steps = config.stash[GRADING].grader.steps
-    screen = Screen(results, steps, get_terminal_size().columns, notes, changed_given())
+    screen = Screen(results, get_terminal_size().columns, notes, changed_given())
     return screen.lines(printed)
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
-def pytest_terminal_summary(terminalreporter: Any, exitstatus: int, config: Any) -> Iterator[None]:
+def pytest_terminal_summary(terminalreporter: Any, config: Any) -> Iterator[None]:
     """Show what students read below everything else."""
     outcomes = config.stash[RESULTS].outcomes
     others = {}  # pytest shows these only
@@ -207,8 +208,5 @@ def pytest_terminal_summary(terminalreporter: Any, exitstatus: int, config: Any)
     for line in screen_of_run(config):
         markup = {line.color: True} if line.color else {}
         terminalreporter.line(line.text, **markup)
-    if not outcomes and exitstatus == pytest.ExitCode.NO_TESTS_COLLECTED:
-        text = "The checks are not here. Type pytest in the folder that has tests and src."
-        terminalreporter.write_line(text, red=True)
     if hasattr(config, "not_written"):
         terminalreporter.write_line(config.not_written, red=True)

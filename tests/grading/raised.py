@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from grading.begin import ROOT
 
-from grading.handout import FUNCTIONS, PROGRAM
+from grading.assignment import FUNCTIONS, PROGRAM
 from grading.hints import of_error
 from support.root import SRC
 from support.start.output import in_one_line

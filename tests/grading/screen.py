@@ -1,17 +1,20 @@
 """What a student reads at the end of a run: the story of the first mistake, and the grade."""
 
+import os
+import sys
 from collections import Counter
 from dataclasses import dataclass
 from textwrap import wrap
 from typing import NamedTuple
 
+from grading.assignment import HONOR
 from grading.grade import place_of_failure, Results
-from grading.handout import HONOR, SUITES
 from grading.messages import LABEL, labelled
 from grading.outcomes import PASSED, WAITING
 from grading.story import Story
 from grading.words import plural
 from line_by_line.table import COLUMNS, fitting
+from support.root import ROOT
 from support.start.output import in_one_line
 
 SCREEN = 40  # lines of a screen; the first one has the dots of pytest, and the last one its counts
@@ -30,7 +33,6 @@ class Screen:
     """The screen about the results of a run."""
 
     results: Results
-    steps: dict[str, str]  # how each function is written
     columns: int
     notes: list[str]  # about something else
     changed: list[str]  # which given functions have changed
@@ -48,7 +50,7 @@ class Screen:
         title = Line(self.separator(place_of_failure(check, outcome), "_"), "red")
         story = outcome.story
         if outcome.broken_file:
-            return [title, *map(Line, story.wrong)]
+            return [title, *map(Line, story.wrong), *end]
         above = [line for sentence in self.changed for line in labelled("given", sentence)]
         above += story.wrong or outcome.message.split("\n")
         below = [*story.below, *self.others_line()]
@@ -69,34 +71,27 @@ class Screen:
         return labelled("also fails", f"{checks} of {functions[0]}")
 
     def unwritten_lines(self) -> list[Line]:
-        """Return the functions that are not written yet, and the steps of the first one."""
+        """Return the functions that are not written yet, and where the text has the first one."""
         places = self.results.unwritten()
         if not places:
             return []
         lines = [Line(self.separator("Not written yet", "="))]
         lines += [Line(f"{function} in {place}", "yellow") for function, place in places.items()]
         function = next(iter(places))
-        return [
-            *lines,
-            Line(f"Next: {function}"),
-            *map(Line, labelled("steps", self.steps[function])),
-        ]
+        return [*lines, *map(Line, labelled("steps", f"{function} in ASSIGNMENT.md"))]
 
     def separator(self, title: str, sign: str) -> str:
         """Return a title with a line of signs on both sides."""
         return f" {shorten(title, self.columns - 4)} ".center(self.columns, sign)
 
     def grade_lines(self) -> list[Line]:
-        """Return the points of each tier that has begun, the grade, and the next step.
-
-        Without the first tier, they say which tiers are complete, in place of the grade.
-        """
+        """Return the points of each tier that has begun, the grade, and the next step."""
         graded = self.results.grade()
         lines = [Line(self.separator("Grade", "="))]
         for tier, counts in graded["tiers"].items():
             if counts["passed"] or counts["failed"]:
                 lines.append(Line(self.tier_line(tier, counts), color_of(counts)))
-        lines += [Line(sentence, "bold") for sentence in verdict(graded)]
+        lines += [Line(sentence, "bold") for sentence in self.verdict(graded)]
         passed = [outcome for _, outcome in self.results.ran if outcome.state == PASSED]
         notes = [*(outcome.advice for outcome in passed if outcome.advice), *self.notes]
         failed = self.results.failed()
@@ -105,22 +100,34 @@ class Screen:
         for note in dict.fromkeys(notes):  # each once
             indent = " " * 7
             lines += map(Line, wrap(f"Note:  {note}", self.columns, subsequent_indent=indent))
-        if not failed:
+        if failed:
+            return lines
+        complete = [tier for tier, counts in graded["tiers"].items() if is_complete(counts)]
+        shown = graded["grade"] if self.results.is_whole else "".join(complete[-1:])
+        if shown:
+            lines.append(Line(f"Look at it:  {command_of(shown)}"))
+        if graded["next"]:
             lines.append(Line(f"Next:  {graded['next']}.", "bold"))
-            if graded["grade"] == HONOR:  # the double cradle has functions without checks
-                text = "src/visualize_double_cradle_run.py shows the double cradle."
-                lines.append(Line(f"       {text}"))
         return lines
+
+    def verdict(self, graded: dict) -> list[str]:
+        """Return the grade or, if not all checks ran, which tiers are complete."""
+        if self.results.is_whole:
+            return wrap(f"Grade: {graded['grade'] or 'none yet'}. {graded['missing']}", COLUMNS)
+        tiers = graded["tiers"].items()
+        return [f"Tier {tier} is complete." for tier, counts in tiers if is_complete(counts)]
 
     def tier_line(self, tier: str, counts: dict) -> str:
         """Return a line about a tier: points, how many checks failed, and for what others wait."""
-        others: Counter[str] = Counter({"failed": counts["failed"]})
+        not_run = counts["of"] - counts["passed"] - counts["waiting"] - counts["failed"]
+        others: Counter[str] = Counter({"failed": counts["failed"], "not run": not_run})
         for check, outcome in self.results.ran:
             if check.tier == tier and outcome.is_unwritten:
                 others["not written"] += 1
             elif check.tier == tier and outcome.state == WAITING:
                 others[f"wait for {outcome.waits_for}"] += 1
-        text = f"{tier:<12}{counts['points']:>3} of {counts['of']} points"
+        extra = " (extra)" if tier == HONOR else ""
+        text = f"{tier:<12}{counts['points']:>3} of {counts['of']} points{extra}"
         causes = [f"{count} {cause}" for cause, count in others.items() if count]
         return shorten(f"{text}: {', '.join(causes)}" if causes else text, COLUMNS)
 
@@ -162,11 +169,10 @@ def is_complete(counts: dict) -> bool:
     return counts["points"] == counts["of"]
 
 
-def verdict(graded: dict) -> list[str]:
-    """Return the grade or, without the first tier, which tiers are complete."""
-    if next(iter(SUITES)) in graded["tiers"]:
-        return [f"Grade: {graded['grade'] or 'none yet'}."]
-    sentences = []
-    for tier, counts in graded["tiers"].items():
-        sentences.append(f"Tier {tier} is {'complete' if is_complete(counts) else 'not complete'}.")
-    return sentences
+def command_of(tier: str) -> str:
+    """Return the command that shows the cradle of a complete tier, in the project's folder."""
+    program = "visualize_double_cradle_run.py" if tier == HONOR else "visualize_cradle_run.py"
+    python = sys.executable.removeprefix(f"{ROOT}{os.sep}")
+    if os.path.isabs(python):  # it is in another folder, maybe of another computer
+        python = "python"
+    return f"{python} src/{program}"

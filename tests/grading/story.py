@@ -11,11 +11,11 @@ from grading.begin import ROOT
 
 from vpython import vector
 
+from grading.assignment import FUNCTIONS
 from grading.checks import Check
 from grading.comparing import same
 from grading.given import defined_twice
 from grading.grader import Grader, place_of, WrongError
-from grading.handout import FUNCTIONS
 from grading.limits import CLOCK
 from grading.messages import labelled, place_lines
 from grading.students_code import code_of, is_named, is_watched, names_in
@@ -55,7 +55,8 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
         facts = facts_of(check, error, trace)
     hint = hint_for(error, errors)
     below = [*right_lines(error), *(line for fact in facts for line in labelled("seen", fact))]
-    below += labelled("steps", grader.steps[check.function])
+    steps = f"{check.function} in ASSIGNMENT.md: {grader.steps[check.function]}"
+    below += labelled("steps", steps)
     place = ""
     if error.raised and not error.raised.limit:
         place = f"{place_of(error.raised, check.function) or ''}"
@@ -224,24 +225,25 @@ def facts_of(check: Check, error: WrongError, trace: Trace) -> list[str]:
         facts += filter(None, [defined_twice(file, name)])
     if error.raised:
         return facts
-    subject = error.mistake.subject
-    holder = holder_of(subject, error)
-    was_there = any(holder is value for value in known_before(error, trace))
-    is_known = was_there and not trace.is_full
-    if is_known and not trace.has_set((id(holder), subject.key)):
-        facts.append(f"No line of your function has changed {subject}.")
+    facts += unchanged(error, trace)
     facts += returns_in_loops(trace)
     missing = [name for name in function.must_name if name not in names]
     return [*facts, *(f"No line of your function calls {name}." for name in missing)]
 
 
-def known_before(error: WrongError, trace: Trace) -> list[dict]:
-    """Return the dictionaries that a call got: as arguments, or from other functions."""
-    found = []
-    for value in [*error.arguments, *trace.given]:
+def unchanged(error: WrongError, trace: Trace) -> list[str]:
+    """Return a sentence if a value is wrong that was there before, and that no line has changed."""
+    subject = error.mistake.subject
+    holder = holder_of(subject, error)
+    if not subject.key or trace.is_full or trace.has_set((id(holder), subject.key)):
+        return []
+    arguments = [("", value) for value in error.arguments]
+    for source, value in [*arguments, *reversed(trace.given)]:
         parts = value if isinstance(value, list) else [value]
-        found += [part for part in parts if isinstance(part, dict)]
-    return found
+        if any(holder is part for part in parts if isinstance(part, dict)):
+            came = f" It came so from your call of {source}." if source else ""
+            return [f"No line of your function has changed {subject}.{came}"]
+    return []
 
 
 def warnings_in(function: str) -> list[str]:

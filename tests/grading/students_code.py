@@ -5,19 +5,20 @@ import atexit
 import importlib
 import shutil
 import sys
-from collections.abc import Callable
-from contextlib import nullcontext, suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, ExitStack, nullcontext, suppress
+from functools import partial
 from linecache import getlines
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from types import CodeType
+from types import CodeType, ModuleType
 from typing import Any
-from unittest.mock import patch
+from unittest.mock import Mock, patch
 
 from grading.begin import ROOT
 
+from grading.assignment import FUNCTIONS, GIVEN, is_students, module_of, PROGRAM
 from grading.check_player import CheckPlayer
-from grading.handout import FUNCTIONS, is_students, module_of, PROGRAM
 from grading.limits import limited_memory, Limits
 from grading.raised import own_file, StoppedError
 from line_by_line.trace import Trace
@@ -37,7 +38,18 @@ mass,e,theta,omega,color,texture
 
 
 class MissingError(Exception):
-    """A file lacks the function that the handout asks for."""
+    """A file lacks the function that the assignment asks for."""
+
+
+@contextmanager
+def placed(stand_ins: dict[str, Callable]) -> Iterator[None]:
+    """Let stand-ins take the place of functions, by their names, in all modules of src/."""
+    with ExitStack() as stack:
+        for function, stand_in in stand_ins.items():
+            for name, module in sys.modules.items():
+                if name.startswith("src.") and hasattr(module, function):
+                    stack.enter_context(patch.object(module, function, stand_in))
+        yield
 
 
 class StudentsCode:
@@ -60,26 +72,49 @@ class StudentsCode:
         # Whether the last call has changed this CSV, which was then put back
         self.has_written = False
 
-    def find(self, function: str) -> Callable:
-        """Return a function of the handout; raise a MissingError if its file lacks it.
+    def replace(self, file: str) -> bool:
+        """Let other files import from this one, which Python cannot read.
+
+        The functions that they find raise an ImportError. Return whether it was not replaced yet.
+        """
+        name = module_of(file)
+        is_new = hasattr(sys.modules.get(name), "__file__") or name not in sys.modules
+        if is_new:
+            module = sys.modules[name] = ModuleType(name)
+            raises = Mock(side_effect=ImportError(f"{file} cannot be read"))
+            vars(module).update(dict.fromkeys([*FUNCTIONS, *GIVEN], raises))
+        return is_new
+
+    def find(self, function: str, stand_ins: dict[str, Callable]) -> Callable:
+        """Return a function of the assignment; raise a MissingError if its file lacks it.
 
         Errors of its import pass.
         """
         if function == PROGRAM:
-            return self.run_program
+            return partial(self.run_program, stand_ins=stand_ins)
         module = importlib.import_module(module_of(FUNCTIONS[function].file))
         found = getattr(module, function, None)
         if not callable(found):
             raise MissingError
         return found
 
-    def run_program(self, player: CheckPlayer) -> None:
-        """Run the student's program from its top, as when it is started; a player lets it tick."""
-        program = main_module(PROGRAM_FILE)
+    def run_program(self, player: CheckPlayer, stand_ins: dict[str, Callable]) -> None:
+        """Run the student's program as when it is started; a player lets it tick.
+
+        It runs from its top. With stand-ins, its file is imported, and then its block runs.
+        """
         player.begin()
         try:
             with fresh_modules():
-                simulation.play(lambda: run_file(program), player)
+                if stand_ins:
+                    program = importlib.import_module(module_of(FUNCTIONS[PROGRAM].file))
+                    program.__name__ = "__main__"
+                    block = code_of(PROGRAM)
+                else:
+                    program = main_module(PROGRAM_FILE)
+                    block = None
+                with placed(stand_ins):
+                    simulation.play(lambda: run_file(program, block), player)
         except SystemExit as end:  # exit() without an error ends the run, as on the page
             if end.code:
                 raise
@@ -90,21 +125,24 @@ class StudentsCode:
         arguments: tuple,
         times: int,
         limits: Limits,
+        stand_ins: dict[str, Callable],
         trace: Trace | None = None,
     ) -> Any:
-        """Call a function of the handout this number of times, and return the last result.
+        """Call a function of the assignment this number of times, and return the last result.
 
-        Each result gives the first arguments of the next call. A trace is on in the last one.
-        Raises a StoppedError if the function or its import fails.
+        Each result gives the first arguments of the next call. stand_ins take the place of other
+        functions, by name. A trace is on in the last call. Raises a StoppedError if the function or
+        its import fails.
         """
         called = ""
         try:
             grader_csv = patch("support.constants.NC_FP", str(self.shipped))
             with limited_memory(limits.memory), grader_csv:
-                solution = self.find(function)
+                solution = self.find(function, stand_ins)
                 called = function
                 for i in range(times):
-                    with trace.on() if trace and i == times - 1 else nullcontext():
+                    tracing = trace.on() if trace and i == times - 1 else nullcontext()
+                    with placed(stand_ins), tracing:
                         result = solution(*arguments)
                     if limits.stopped_by:  # the function has caught the interrupt
                         raise KeyboardInterrupt

@@ -111,7 +111,8 @@ class Trace:
         self.is_endless = is_endless
         self.known: dict[CodeType, dict[int, ast.stmt]] = {}
         self.all_calls: dict[FrameType, Call] = {}
-        self.given: list[Any] = []  # what functions have given that are named, and not watched
+        # Pairs of a function that is named, and not watched, and what it has given
+        self.given: list[tuple[str, Any]] = []
         self.events = 0
         self.fault: Exception | None = None  # in this module
         self.error: BaseException | None = None  # that has stopped the first call
@@ -226,7 +227,7 @@ class Trace:
             call.is_open = False
             call.visit.values += [argument, *(argument if isinstance(argument, tuple) else ())]
             if not call.statements:
-                self.given.append(argument)
+                self.given.append((call.name, argument))
             if isinstance(statement, ast.Return) or argument is not None:  # a generator's, too
                 call.gave = self.words.in_words(argument, call.name_of(argument, ""))
                 call.visit.texts.append(f"gives {call.gave}")

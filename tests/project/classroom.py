@@ -14,7 +14,7 @@ from grade_class import copy_starter
 from programs import ROOT, SECONDS
 from students import put_files
 
-from grading.handout import SUITES
+from grading.assignment import SUITES
 from teacher.containers import find_engine
 
 FAST = """

@@ -13,8 +13,8 @@ from grading.begin import ROOT
 import pytest
 from right_solutions import PLAIN
 
+from grading.assignment import FUNCTIONS, needed, PROGRAM
 from grading.grader import Grader
-from grading.handout import FUNCTIONS, needed, PROGRAM
 from grading.limits import Limits
 from grading.outcomes import FAILED, Grading, Outcome, PASSED
 from line_by_line.trace import Trace
@@ -39,6 +39,8 @@ def with_body(text, function, body):
     body = indent(dedent(body), "    ")
     if function == PROGRAM:
         return "\n".join([IMPORTS, *lines, 'if __name__ == "__main__":', body])
+    for parameter in node.args.args:
+        parameter.annotation = None  # the imports stand below
     return "\n".join([f"def {function}({ast.unparse(node.args)}):", body, IMPORTS, *lines])
 
 

@@ -5,7 +5,7 @@ to write it: the body, or a pair (old text, new text) for its body in PLAIN. Add
 tests/project/test_graded_suites.py covers it.
 """
 
-from grading.handout import PROGRAM
+from grading.assignment import PROGRAM
 
 PLAIN = {
     "extract_and_convert": """\
@@ -138,7 +138,7 @@ RIGHT = {
         "without handle_collision": ("handle_collision(e, omega1, omega2, m1, m2, r_param)", "omega1 - (1 + e)*m2*(omega1 - omega2)/(m1 + m2), omega2 + (1 + e)*m1*(omega1 - omega2)/(m1 + m2)"),
     },
     "newton_cradle_tick": {
-        "each pair as soon as both have swung": """\
+        "each pair when both swung": """\
             from src.swinging import swing_update
             for i in range(len(pend_list)):
                 swing_update(pend_list[i], r_param, dt, g)

@@ -2,9 +2,9 @@
 
 import pytest
 from programs import slow_except
-from students import change, pytest_in, write
+from students import change, COLUMNS, pytest_in, write
 
-from grading.handout import FUNCTIONS
+from grading.assignment import FUNCTIONS
 from grading.hints import of_error
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
@@ -22,16 +22,19 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("line", slow_except([*BROKEN][:2], BROKEN))
-def test_of_a_file_that_python_cannot_read_pytest_says_nothing_but_this(starter, line):
-    """One check fails, and no function is named."""
+def test_of_a_file_that_python_cannot_read_pytest_says_this_and_the_grade(starter, line):
+    """One check fails, and no function is named above the grade."""
     write(starter, *FUNCTIONS)
     change(starter / FILE, "\nfrom support", f"{line}\nfrom support")
-    status, (_, title, *rows, last) = pytest_in(starter)
+    status, (_, title, *rows) = pytest_in(starter)
     assert status == 1
+    end = rows.index(f"{' Grade ':=^{COLUMNS}}")
     message = f"{FILE}, line 7: {BROKEN[line]}".format(starter / FILE)
-    found = f"{title.strip('_ ')}: {''.join(rows)}"
+    found = f"{title.strip('_ ')}: {''.join(rows[:end])}"
     assert found.replace(" ", "") == message.replace(" ", "")  # wrapped at 80 columns
-    assert last.startswith("1 failed, ")
+    assert "C             0 of 6 points: 1 failed, 5 wait for src/swinging.py" in rows
+    assert "A            12 of 12 points" in rows  # the other files are judged without it
+    assert rows[-1].startswith("1 failed, ")
 
 
 NO_PYTHON = {  # the content of a file, and the hint

@@ -6,11 +6,11 @@ import pytest
 from programs import ROOT
 from students import change
 
+from grading.assignment import GIVEN
 from grading.given import changed_given, defined_twice, GIVEN_FUNCTIONS
-from grading.handout import GIVEN
 
 SWING, CSV = "src/swinging.py", "src/pds_helper.py"
-DEF = "def swing_update(pend_dict, r_param, dt, g) -> None:\n"
+DEF = "def swing_update(pend_dict: PendulumEntry, r_param: float, dt: float, g: float) -> None:\n"
 THETA = '    pend_dict["theta"] = theta\n'
 SHOW = "    show_pendulum(pend_dict, r_param)\n"
 

@@ -13,21 +13,21 @@ from right_solutions import PLAIN
 from students import change, COLUMNS, PYTEST, pytest_in, write
 from wrong_solutions import WRONG
 
+from grading.assignment import FUNCTIONS, SUITES
 from grading.grade import Results
-from grading.handout import FUNCTIONS
 from grading.outcomes import Outcome, PASSED
+from grading.outcomes import waiting as waits
 from grading.screen import SCREEN, Screen
 
 
 def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
     status, rows = pytest_in(starter, "--tier", "D", "-x")
     assert status == 1
-    begin = rows.index("Next: extract_and_convert")
+    begin = rows.index("steps       extract_and_convert in ASSIGNMENT.md")
     assert rows[begin - 2].strip("= ") == "Not written yet"
     place = rows[begin - 1]
     assert place.startswith("extract_and_convert in src/pds_helper.py, line ")
-    assert rows[begin + 1].startswith("steps       read_csv gives df,")
-    assert rows[-4:-2] == ["Grade: none yet.", f"Next:  {place}."]
+    assert rows[-3] == f"Next:  {place}."
     assert rows[-1].startswith("1 waiting in ")
 
 
@@ -64,7 +64,7 @@ LABELS = (
 def screen_of(outcomes, printed=""):
     """Return the lines of a screen about the outcomes of checks; those of others are passed."""
     outcomes = {check.name: outcome for check, outcome in outcomes.items()}
-    screen = Screen(Results(GRADER.checks, outcomes), GRADER.steps, COLUMNS, [], [])
+    screen = Screen(Results(GRADER.checks, outcomes), COLUMNS, [], [])
     return [line.text for line in screen.lines(dict.fromkeys(outcomes, printed))]
 
 
@@ -81,15 +81,37 @@ def test_each_screen_has_the_same_order_and_at_most_40_lines(solve, function, wo
     assert labels == [label for label in LABELS if label in labels]
 
 
-def test_without_tier_d_no_grade_is_said():
-    lines = screen_of({check: Outcome(PASSED) for check in CHECKS if check.tier == "C"})
-    assert lines[-2:] == [
-        "Tier C is complete.",
-        "Next:  run the checks of tier D: pytest --tier D.",
-    ]
+D = [name for name, function in FUNCTIONS.items() if function.tier == "D"]
+# The tiers that ran, the functions of them that wait, the verdict, and the program to look at
+VERDICTS = [
+    (SUITES, [], "Grade: Honor roll.", "visualize_double_cradle_run.py"),
+    (SUITES, ["make_double_pendulum"], "Grade: A.", "visualize_cradle_run.py"),
+    (
+        SUITES,
+        ["elastic_newton_cradle"],
+        "Grade: none yet. For D: elastic_newton_cradle, 1 of 15 points missing.",
+        "",
+    ),
+    (SUITES, D, "Grade: none yet. For D: 6 functions, 15 of 15 points missing.", ""),
+    ("C", [], "Tier C is complete.", "visualize_cradle_run.py"),
+]
 
 
-README = (ROOT / "tests/README.md").read_text(encoding="utf-8")
+@pytest.mark.parametrize(("tiers", "waiting", "verdict", "program"), VERDICTS)
+def test_the_verdict_names_what_is_missing_and_the_program_to_look_at(
+    tiers, waiting, verdict, program
+):
+    """In a run of some tiers, nothing is said of the others."""
+    ran = [check for check in CHECKS if check.tier in tiers]
+    states = [waits("you") if check.function in waiting else Outcome(PASSED) for check in ran]
+    lines = screen_of(dict(zip(ran, states, strict=True)))
+    assert verdict in lines
+    assert any(line.startswith("Grade:") for line in lines) == (tiers is SUITES)
+    shown = [line.partition("src/")[2] for line in lines if line.startswith("Look at it:")]
+    assert shown == [program] * bool(program)
+
+
+README = (ROOT / "tests/starter/README.md").read_text(encoding="utf-8")
 SHOWN = """\
     # linear
     v1 = omega1*r_param
@@ -104,7 +126,7 @@ def test_the_readme_shows_a_real_screen(starter):
     write(starter, *FUNCTIONS, handle_collision=SHOWN)
     _, rows = pytest_in(starter)
     screen = "\n".join(f"    {row}".rstrip() for row in rows[1:-1])
-    assert f"\n{screen}\n" in README, f"tests/README.md shows another screen. Now it is:\n{screen}"
+    assert f"\n{screen}\n" in README, f"It shows another screen. Now it is:\n{screen}"
 
 
 IN_TERMINAL = "import pty, sys; pty.spawn([sys.executable, *sys.argv[1:]])"

@@ -10,8 +10,8 @@ from right_solutions import RIGHT
 from students import LOOP, MAKE
 
 from grading import limits
-from grading.handout import PROGRAM, SWINGING
-from grading.outcomes import FAULT, WAITING
+from grading.assignment import PROGRAM, SWINGING
+from grading.outcomes import FAULT
 from support.constants import NC_FP
 from support.files import source_files
 
@@ -90,16 +90,13 @@ def test_a_fault_of_the_grader_is_marked_as_such():
     assert outcome.message.endswith("ZeroDivisionError: division by zero")
 
 
-def test_a_function_that_is_not_written_waits_and_so_do_written_functions_that_use_it(solve):
-    waits = dict.fromkeys(
-        ["newton_cradle_tick", PROGRAM], "waits for angle_update, full_swing_update"
-    )
+def test_a_function_that_is_not_written_waits_and_those_that_use_it_are_judged(solve):
+    messages = {"newton_cradle_tick": "", PROGRAM: ""}
     for name, line in (("angle_update", 5), ("full_swing_update", 2)):
         solve(name, STUB.format(name))
-        waits[name] = f"waits for you to write {name} in src/swinging.py, line {line}"
+        messages[name] = f"waits for you to write {name} in src/swinging.py, line {line}"
     outcomes = outcomes_of("angle_update")
-    assert {outcome.state for outcome in outcomes.values()} == {WAITING}
-    assert {check.function: outcome.message for check, outcome in outcomes.items()} == waits
+    assert {check.function: outcome.message for check, outcome in outcomes.items()} == messages
 
 
 # A function, its body, and whether there is code beside the raise
@@ -117,26 +114,6 @@ def test_a_function_with_code_beside_its_raise_is_written(solve, function, body,
     end = f", raise NotImplementedError: it stops {function} before its end."
     hint = outcomes[0].story.hint
     assert hint.startswith("Delete line ") == hint.endswith(end) == has_code
-
-
-# A function, what it uses although it need not, a version of this, and one of the function
-USES = [
-    (
-        "uniform_e_newton_cradle",
-        "uniform_mass_newton_cradle",
-        STUB.format("uniform_mass_newton_cradle"),
-        "return uniform_mass_newton_cradle(relative_filepath, e_val)",
-    ),
-    (PROGRAM, "elastic_newton_cradle", "return None", RIGHT[PROGRAM]["an elastic cradle first"]),
-]
-
-
-@pytest.mark.parametrize(("function", "used", "wrong", "version"), USES)
-def test_a_function_waits_for_one_that_it_need_not_use(solve, function, used, wrong, version):
-    solve(used, wrong)
-    solve(function, version)
-    outcome = new_grading().judge(GRADER.checks_of(function=function)[0])
-    assert outcome[:2] == (WAITING, f"waits for {used}")
 
 
 def test_a_mistake_has_its_table_also_if_other_checks_run_first(solve):

@@ -1,19 +1,14 @@
 """The programs, as far as they need no browser: how they start, and what they print."""
 
 import os
-import re
-import textwrap
-from math import dist
 from unittest.mock import Mock
 
 import pytest
-from pages import axle
 from programs import call, copy_project, python, ROOT, with_vpython
 from students import put_files
 
 import pds_tester
 from grading.cradles import MIXED, MIXED_CSV
-from support.constants import R_PARAM
 from support.pendulum import outwards_to_angle
 from support.start.end import SignalError
 from support.start.mistake import TYPE_PYTEST
@@ -51,20 +46,6 @@ def test_the_benchmark_finds_its_own_project_and_has_help():
     done = python(ROOT / "tests" / "benchmark.py", "--help", folder=os.sep)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.startswith("usage: benchmark.py ")
-
-
-def test_the_example_of_the_readme_has_thrown_the_last_bob_out():
-    example = r"(?ms)^    import support.*?(?=\n\n#)"
-    [lines] = re.findall(example, (ROOT / "README.md").read_text())
-    done = python("-c", textwrap.dedent(lines))
-    places = re.findall(r"x = (.*) m, y = (.*) m\n", done.stdout)
-    assert len(places) == 5
-    *hanging, last = [(float(x), float(y)) for x, y in places]
-    for bob, place in enumerate(hanging):
-        x, y = axle(bob)
-        assert place == pytest.approx((x, y - R_PARAM), abs=0.002)
-    assert last[0] > 0.2
-    assert dist(last, axle(4)) == pytest.approx(R_PARAM, abs=0.002)
 
 
 OTHER = """

@@ -13,12 +13,11 @@ from classroom import GRADE, rows_in
 from grade_class import copy_starter
 from hostile_solutions import HARMLESS, HEADER, SPOILED
 from programs import on_posix
-from students import COUNTS
 
 from teacher import one_run, report
 from teacher.runners import package, Runner
 
-POINTS = sum(COUNTS.values())
+POINTS = 45  # of D to A
 
 
 # --- the grade -----------------------------------------------------------------------------------

@@ -172,12 +172,12 @@ RATE = """while True:
     while False:"""
 MISTAKES = {  # changes that end the motion, and what the page says
     "a mistake": (
-        "NameError: name 'pull' is not defined (src/swinging.py, line 15: omega_new = omega - pull "
+        "NameError: name 'pull' is not defined (src/swinging.py, line 18: omega_new = omega - pull "
         "* sin(theta) / r_param * dt). Mend it, and save the file.",
         (SWINGING, "- g *", "- pull *"),
     ),
     "an endless loop": (
-        "src/swinging.py, line 34: the program has been here for 1 s.",
+        "src/swinging.py, line 37: the program has been here for 1 s.",
         (SWINGING, "in pend_list:\n", "in pend_list:\n        while True: pass\n"),
     ),
     "a long import": (
@@ -210,7 +210,7 @@ def test_a_program_that_asks_goes_on_after_its_answer(opened):
 
 def test_a_file_that_cannot_be_compiled_lets_the_cradle_swing_on(opened):
     opened.save((SWINGING, "- g *", "- g * ("))
-    opened.wait_for_text("Saved, but not run: src/swinging.py, line 15: '(' was never closed.")
+    opened.wait_for_text("Saved, but not run: src/swinging.py, line 18: '(' was never closed.")
     wait_for_moves(opened.page)
     opened.mend()
 

@@ -8,7 +8,7 @@ from programs import end, first_lines, python, running, slow_except, wait_until
 from students import change, write, write_tiers
 from whole_cradles import GOOD, HEADER
 
-from grading.handout import FUNCTIONS, PROGRAM, SPECIAL, SWINGING, VISUALIZE_FILE
+from grading.assignment import FUNCTIONS, PROGRAM, SPECIAL, SWINGING, VISUALIZE_FILE
 
 TERMINAL = "src/text_cradle_run.py"
 NO_CRADLE = "There is no cradle to see yet. "

@@ -1,9 +1,11 @@
 """What students are handed: made, and graded as it is and with solutions."""
 
 import ast
+import json
 import os
 import re
 import shutil
+from pathlib import Path
 from unittest.mock import Mock
 
 import pytest
@@ -11,8 +13,8 @@ from make_starter import FILES, make_starter
 from programs import copy_project, python, ROOT
 from students import change, COUNTS, graded_in, put_files, pytest_in, write
 
+from grading.assignment import FUNCTIONS, IMPORTS, PROGRAM, SUITES
 from grading.given import definitions
-from grading.handout import FUNCTIONS, IMPORTS, PROGRAM, SUITES
 
 HANDOUTS = {function.file for function in FUNCTIONS.values()}
 
@@ -30,7 +32,7 @@ def test_a_starter_is_made_all_waits_and_with_the_solutions_all_is_green(tmp_pat
     write(folder, *FUNCTIONS)
     result = graded_in(folder)
     assert result["grade"] == "Honor roll"
-    assert result["next"] == "all functions with a check are right"
+    assert result["missing"] == ""
 
 
 def test_a_given_function_that_is_changed_and_one_above_its_stub_are_named(starter):
@@ -65,14 +67,36 @@ def test_the_lines_of_the_handout_are_there_as_it_has_them(made):
         assert lines in (made / "src" / f"{name}.py").read_text().replace('"', "'")
 
 
-def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alone(made):
+# What a student sees in VS Code, beside src/ and the checks
+SHOWN = {"README.md", "ASSIGNMENT.md", "newton_cradle_pends.csv", "pds_tester.py"}
+SHOWN |= {"support/constants.py", "support/pendulum.py"}
+OF_PROGRAMS = ".venv/bin/python", "uv.lock", ".pytest_cache/tag", "src/__pycache__/begin.pyc"
+
+
+def test_vs_code_shows_what_a_student_needs_alone(starter):
+    """Also after the programs and pytest have run."""
+    put_files(starter, dict.fromkeys(OF_PROGRAMS, ""))
+    settings = json.loads((starter / ".vscode/settings.json").read_text())
+    patterns = settings["files.exclude"]
+    assert [pattern for pattern in patterns if not [*starter.glob(pattern)]] == []
+    hidden = {path for pattern in patterns for path in starter.glob(pattern)}
+    files = [path for path in starter.rglob("*") if path.is_file()]
+    shown = [path for path in files if hidden.isdisjoint([path, *path.parents])]
     others = {"__init__", "begin", "begin_page", "no_program"}
     others |= {"text_cradle_run", "visualize_double_cradle_run"}
-    sources = {f"src/{path.name}" for path in made.glob("src/*")}
-    assert sources == HANDOUTS | {f"src/{name}.py" for name in others}
-    suites = {f"{suite}.py" for suite in SUITES.values()}
-    tests = {path.name for path in made.glob("tests/*")} - {"__pycache__"}
-    assert tests == suites | {"grading", "line_by_line"}
+    expected = SHOWN | HANDOUTS | {f"src/{name}.py" for name in others}
+    expected |= {f"tests/{suite}.py" for suite in SUITES.values()}
+    assert {path.relative_to(starter).as_posix() for path in shown} == expected
+    for path in shown:
+        assert "handout" not in path.read_text(encoding="utf-8").lower(), path
+
+
+def test_the_triangle_on_the_constants_makes_no_error(made):
+    assert python("support/constants.py", folder=made, PYTHONPATH="").stderr == ""
+
+
+def test_the_page_and_the_grader_are_whole(made):
+    """Without the fast path, which has answers."""
     assert not [*made.rglob("many_ticks.py")]
     for file in [*made.glob("support/**/*.py"), *made.glob("tests/grading/*.py")]:
         assert file.read_bytes() == (ROOT / file.relative_to(made)).read_bytes()
@@ -80,9 +104,10 @@ def test_the_folder_has_the_handouts_files_the_programs_and_the_graded_tests_alo
 
 def test_a_student_meets_no_reference_to_a_file_or_module_that_is_not_there(made):
     for file in made.rglob("*.*"):
-        if file.suffix not in (".py", ".md", ".toml", ".html"):
+        if file.suffix not in (".py", ".md", ".toml", ".html", ".json"):
             continue
         text = file.read_text(encoding="utf-8")
+        assert file.suffix != ".md" or "../" not in text
         for path in re.findall(r"\b(?:src|support|tests)/[\w/]+\.\w+", text):
             assert (made / path).exists() or "make_starter" in path, file
         for module in re.findall(r"\b(?:src|support)(?:\.\w+)+", text):
@@ -115,14 +140,14 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out(tmp_path, m
     """
     shutil.copytree(ROOT / "tests", copy_project(tmp_path, "") / "tests")
     (tmp_path / ".devcontainer").mkdir()
-    for name in FILES:
+    for name in [*FILES, "pyproject.toml"]:
         shutil.copy(ROOT / name, tmp_path / name)
     copies = "src/._swinging.py", "src/.ipynb_checkpoints/swinging.py", "tests/grading/._grade.py"
     put_files(tmp_path, dict.fromkeys(copies, b"\0"))
     monkeypatch.setattr("make_starter.ROOT", tmp_path)
     make_starter(tmp_path / "starter")
     hidden = {path.name for path in (tmp_path / "starter").rglob(".*")}
-    assert hidden == {".devcontainer", ".github", ".gitignore"}
+    assert hidden == {".devcontainer", ".github", ".gitignore", ".vscode"}
 
 
 def test_the_workflow_for_github_has_the_lines_of_the_readme_and_the_base_of_the_image(made):
@@ -138,7 +163,7 @@ def test_the_workflow_for_github_has_the_lines_of_the_readme_and_the_base_of_the
 @pytest.mark.parametrize("place", ["deep/down/new", "."])
 def test_on_a_full_disk_nothing_is_left_of_it(tmp_path, monkeypatch, place):
     """A folder that was there stays."""
-    monkeypatch.setattr(shutil, "copy", Mock(side_effect=[*[None] * 20, OSError]))
+    monkeypatch.setattr(Path, "write_bytes", Mock(side_effect=[*[None] * 20, OSError]))
     with pytest.raises(OSError):
         make_starter(tmp_path / place)
     assert os.listdir(tmp_path) == []

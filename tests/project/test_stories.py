@@ -10,7 +10,7 @@ from right_solutions import PLAIN
 from wrong_solutions import WRONG
 
 from grading import limits
-from grading.handout import PROGRAM
+from grading.assignment import PROGRAM
 from line_by_line.table import fitting
 
 
@@ -55,6 +55,12 @@ STORIES = {
         "pend2['omega'] = 6",
         ["function has changed omega of pend1.", "No line of your function calls handle_coll"],
         "omega of pend2.",
+    ),
+    "given by another function": (
+        "inelastic_newton_cradle",
+        "return uniform_e_newton_cradle(relative_filepath, 0.5)",
+        ["changed e of pend_list[0]. It came so from your call of uniform_e_n"],
+        "extract_and_convert",
     ),
     "a return in a loop": (
         "uniform_mass_newton_cradle",

@@ -152,7 +152,7 @@ def test_a_key_that_the_handout_does_not_have_is_named(csv):
     rig.viewer.note("It is slow.")
     rig.cradle.pend_list[1]["Theta"] = 0.5
     rig.wait()
-    message = "It is slow. Pendulum 2 has the key 'Theta', which the handout does not have."
+    message = "It is slow. Pendulum 2 has the key 'Theta', which the assignment does not have."
     assert rig.state["remark"] == message
 
 

@@ -7,7 +7,7 @@ A version of a function is the body, or a pair (old text, new text) that puts a 
 right body in PLAIN. It can use all names of the function's file, and `from ... import ...`.
 """
 
-from grading.handout import PROGRAM
+from grading.assignment import PROGRAM
 
 # A row is a line:
 # fmt: off
@@ -81,6 +81,7 @@ SAID = {
         "radius of the bob of": ("dt, g)", "dt, g); pend['objects'][1].radius *= 0.99"),
     },
     "handle_collision": {
+        "To multiply, write *.": ("m2*e*(v1 - v2)", "m2*e(v1 - v2)"),
         "if omega1 is not converted:": ("r_param * omega1", "omega1"),
         "if omega2 is not converted:": ("r_param * omega2", "omega2"),
         "if the omegas are not converted": ("r_param * omega", "omega"),
@@ -130,6 +131,7 @@ SAID = {
         "[3, 1, 2]": ("(len(pend_list) - 1)", "(len(pend_list) - 2, -1, -1)"),
     },
     PROGRAM: {
+        "shapes that no pendulum has is 45,": ("newton_cradle_tick", "make_newton_cradle(NC_FP, R_PARAM, THETA_INIT); newton_cradle_tick"),
         "for 1 tick 2 times in a row": ("make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)", "__import__('grading.cradles').cradles.hang_row(2, r_param=R_PARAM); pend_list[0]['theta'] = THETA_INIT"),
         "No loop with a cradle": ("while is_running(pend_list):", "for _ in range(3):"),
         "calls newton_cradle_tick with a value": ("(pend_list, R_PARAM, DT, G)", "(R_PARAM, pend_list, DT, G)"),

@@ -1,14 +1,15 @@
-"""The choice of the files of a submission that are graded: those next to most of the handout's."""
+"""The choice of the files of a submission that are graded: those next to most of the assigned."""
 
 import re
 from collections import defaultdict
 from collections.abc import Callable
 from pathlib import PurePosixPath
 
-from grading.handout import FUNCTIONS
+from grading.assignment import FUNCTIONS, HONOR
 
-# In the order of the handout
-HANDOUTS = [*dict.fromkeys(PurePosixPath(function.file).name for function in FUNCTIONS.values())]
+# In the order of the assignment
+ASSIGNED = [*dict.fromkeys(PurePosixPath(function.file).name for function in FUNCTIONS.values())]
+EXTRA = {PurePosixPath(role.file).name for role in FUNCTIONS.values() if role.tier == HONOR}
 MOST_FILES = 200  # of a submission that count
 MOST_BYTES = 1_000_000  # of these files
 TOO_MUCH = f"allowed are at most {MOST_FILES} files with {MOST_BYTES:,} bytes"
@@ -44,7 +45,7 @@ def meant(path) -> str:
 
     Return "" if it is none.
     """
-    for file in ("visualize_double_cradle_run.py", *HANDOUTS):
+    for file in ("visualize_double_cradle_run.py", *ASSIGNED):
         if file.removesuffix(".py") in path.name.casefold():
             return file
     return ""
@@ -53,23 +54,23 @@ def meant(path) -> str:
 def select(entries: Entries, starter, problems) -> dict[str, bytes]:
     """Return the files that count, by their paths in the project.
 
-    These are the Python files of the folder that has most of the handout's files, and all others
+    These are the Python files of the folder that has most of the assignment's files, and all others
     that they ask for. starter has the starter's files in the same form.
     """
     paths = [*map(PurePosixPath, entries)]
     own = [path for path in paths if not STARTERS_FOLDERS & {*path.parts}]
     src = best_folder([*filter(is_python, own)], problems)
     if src is None:
-        problems.append(f"none of the handout's files is there{found(paths)}")
+        problems.append(f"none of the assignment's files is there{found(paths)}")
         return {}
     python = [path for path in own if is_python(path) and path.is_relative_to(src)]
     sources = newest(python, problems)
-    for name in HANDOUTS:
+    for name in ASSIGNED:
         if src / name not in sources:
             similar = [path for path in own if meant(path) == name]
             add_candidate(sources, src / name, similar, problems)
     to_read = []
-    for path in sorted(sources, key=lambda path: [*HANDOUTS, path.name].index(path.name)):
+    for path in sorted(sources, key=lambda path: [*ASSIGNED, path.name].index(path.name)):
         to_read.append((f"src/{path.relative_to(src)}", f"{sources[path]}", ""))
     others = others_around(src, sorted({*paths} - {*python}))
     to_read += asked_for("pytest", FOR_PYTEST, others)
@@ -82,11 +83,11 @@ def select(entries: Entries, starter, problems) -> dict[str, bytes]:
 
 
 def best_folder(paths, problems) -> PurePosixPath | None:
-    """Return the folder with most of the handout's files.
+    """Return the folder with most of the assignment's files.
 
     Of two, it is the one with the higher numbers in its path.
     """
-    exact = [path for path in paths if AGAIN.sub("", path.name) in HANDOUTS]
+    exact = [path for path in paths if AGAIN.sub("", path.name) in ASSIGNED]
     files = defaultdict(set)
     for path in exact or filter(meant, paths):
         files[path.parent].add(meant(path))
@@ -119,15 +120,15 @@ def newest(paths, problems) -> dict[PurePosixPath, PurePosixPath]:
 
 
 def add_candidate(sources, missing, similar, problems) -> None:
-    """Add the only one of these files that may be meant for a file of the handout that is missing.
+    """Add the only one of these files that may be meant for an assigned file that is missing.
 
-    If there is none, or there are several, name all.
+    If there are several, name all. If there is none, nothing is said of a file of the honor roll.
     """
     neighbours = [path for path in similar if is_python(path) and path.parent == missing.parent]
     if len(neighbours) == 1:
         sources[missing] = neighbours[0]
         problems.append(f"took {neighbours[0]} as {missing.name}")
-    else:
+    elif similar or missing.name not in EXTRA:
         problems.append(f"src/{missing.name} is missing{found(similar)}")
 
 
@@ -205,7 +206,7 @@ def may_count(place, content, starter) -> bool:
 
 
 def odd_files(files, starter) -> list[str]:
-    """Return a problem for each file of the handout that has none of its functions.
+    """Return a problem for each file of the assignment that has none of its functions.
 
     A file as in the starter is one, too, if a later one is not, or if all are.
     """

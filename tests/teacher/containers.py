@@ -137,7 +137,7 @@ def find_engine(folder, starter, stopped) -> Engine:
 
     Raises an OSError without one.
     """
-    error = OSError(0, "it is not installed; tests/README.md says how", "podman")
+    error = OSError(0, "it is not installed; tests/starter/README.md says how", "podman")
     for program in SIZES:
         if shutil.which(program):
             try:

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 from contextlib import suppress
 
-from grading.handout import highest, SUITES
+from grading.assignment import highest, HONOR, SUITES
 from support.files.data_file import whole_file
 from support.start.output import in_one_line
 
@@ -98,13 +98,15 @@ class Report:
         """
         grade = result["grade"] or "none"
         self.grades[grade] += 1
-        points = [*result["points"].values()]
+        points = dict(result["points"])
+        extra = points.pop(HONOR)
         self.rows.append(
             [
                 cell(student),
                 grade,
-                *points,
-                sum(points),
+                *points.values(),
+                sum(points.values()),
+                extra,
                 cell(result["next"]),
                 round(seconds),  # "1.5" is the first of May in some countries
                 cell(". ".join(problems)),
@@ -121,7 +123,9 @@ class Report:
         with whole_file(self.file) as out:
             out.write("\ufeff")  # Excel then reads it as UTF-8
             writer = csv.writer(out)
-            writer.writerow(["student", "grade", *SUITES, "points", "next", "seconds", "problems"])
+            tiers = [tier for tier in SUITES if tier != HONOR]
+            first = ["student", "grade", *tiers, "points", HONOR]
+            writer.writerow([*first, "next", "seconds", "problems"])
             writer.writerows(sorted(self.rows))
 
     def summary(self, count) -> list[str]:
@@ -140,13 +144,15 @@ class Report:
 def write_gradescope(folder, seconds, problems, result) -> None:
     """Write results.json as Gradescope reads it. Raises an OSError if this fails.
 
+    It has no field for extra points: only the name of a test says that it is extra.
     https://gradescope-autograders.readthedocs.io/en/latest/specs/
     """
     tests = []
     for check in result["checks"].values():
+        tier = f"{HONOR} (extra)" if check["tier"] == HONOR else check["tier"]
         tests.append(
             {
-                "name": f"{check['tier']}: {check['function']}: {check['title']}",
+                "name": f"{tier}: {check['function']}: {check['title']}",
                 "score": int(check["state"] == "passed"),
                 "max_score": 1,
                 "output": check["message"] or "passed",
@@ -156,7 +162,6 @@ def write_gradescope(folder, seconds, problems, result) -> None:
         "output": "\n".join([*problems, result["text"]]),
         "execution_time": round(seconds),
         "score": sum(test["score"] for test in tests),
-        "max_score": len(tests),
         "visibility": "visible",
         "tests": tests,
     }

@@ -13,7 +13,7 @@ import pandas as pd
 
 from grading.limits import limited_memory
 from support.start.output import in_one_line
-from teacher.choice import HANDOUTS, select
+from teacher.choice import ASSIGNED, select
 from teacher.entries import entries_of, SKIPPED
 from teacher.keys import keys_of, Student
 
@@ -48,7 +48,7 @@ WITH_TIME = re.compile(
     re.VERBOSE,
 )
 # With nothing but the student's name: "Ann A - swinging.py", "Ann A_swinging.py".
-STEMS = "|".join(name.removesuffix(".py") for name in HANDOUTS)
+STEMS = "|".join(name.removesuffix(".py") for name in ASSIGNED)
 WITH_NAME = re.compile(
     rf"(?P<student>.+?)(?P<other>)(?P<upload>)(?: - |_(?={STEMS}))(?P<file>.+\.py)"
 )
@@ -73,7 +73,7 @@ def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]
             others.append(path.name)
         else:
             found[student].append((upload, file, path))
-    if not found or has_handout(folder) or has_handout(folder / "src"):
+    if not found or has_assigned(folder) or has_assigned(folder / "src"):
         raise ValueError(
             f"found '{folder}', allowed is a folder with a folder or a .zip for each student, or "
             "with files like ann_12_345_swinging.py"
@@ -85,9 +85,9 @@ def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]
     return submissions, others
 
 
-def has_handout(folder) -> bool:
-    """Return whether a file of the handout is in a folder."""
-    return any((folder / name).is_file() for name in HANDOUTS)
+def has_assigned(folder) -> bool:
+    """Return whether a file of the assignment is in a folder."""
+    return any((folder / name).is_file() for name in ASSIGNED)
 
 
 def owner_of(path) -> tuple[Student | None, str, str]:

@@ -1,4 +1,4 @@
-"""The functions of the handout: their files, their places in it, and those that they need."""
+"""The functions of the assignment: their files, their places in it, and those that they need."""
 
 from typing import NamedTuple
 
@@ -58,7 +58,7 @@ def maker(parameters: str, waits_for: str, must_name: str = "") -> Function:
     )
 
 
-# In the order of the handout.
+# In the order of the assignment.
 FUNCTIONS = {
     "extract_and_convert": Function(
         "D", "src/pds_helper.py", "relative_filepath", returns="pend_list"
@@ -137,13 +137,13 @@ GIVEN = {
     "double_cradle_tick",
 }
 
-# The names that the files of the handout import.
+# The names that the files of the assignment import.
 IMPORTS = {
     "src/pds_helper.py": "pd PendulumEntry",
     SPECIAL: "vector extract_and_convert COLOR_MAP TEXTURE_MAP make_pendulum PendulumEntry",
-    SWINGING: "sin show_pendulum",
+    SWINGING: "sin PendulumEntry show_pendulum",
     VISUALIZE_FILE: "mag make_newton_cradle full_swing_update "
-    "DT G NC_FP R_PARAM THETA_INIT is_running",
+    "DT G NC_FP R_PARAM THETA_INIT PendulumEntry is_running",
     DOUBLE: "vector make_bob_and_cord make_pendulum double_accelerations",
 }
 
@@ -151,7 +151,7 @@ IMPORTS = {
 def needed(function: str) -> list[str]:
     """Return all functions that must be right first, also for those that this one waits for.
 
-    They are in the order of the handout.
+    They are in the order of the assignment.
     """
     found: set[str] = set()
     for name in FUNCTIONS[function].waits_for:
@@ -160,7 +160,7 @@ def needed(function: str) -> list[str]:
 
 
 def is_students(name: str, function: str) -> bool:
-    """Return whether this is the name of a function of the handout, or of a helper for it."""
+    """Return whether this is the name of a function of the assignment, or of a helper for it."""
     return name == function or name not in {*FUNCTIONS, *GIVEN, "<lambda>"}
 
 
