@@ -29,9 +29,9 @@ class Results:
     def grade(self) -> dict:
         """Return the grade for a gradebook.
 
-        It is {"tiers": {tier: {"passed", "waiting", "failed", "points", "of"}}, "grade", "missing",
-        "next"}, without the tiers that have no outcomes. The grade is the highest complete tier,
-        with all tiers below it complete, or None. missing is a sentence about the next letter.
+        It is {"tiers": {tier: {"waiting", "failed", "points", "of"}}, "grade", "next"}, without the
+        tiers that have no outcomes. The grade is the highest complete tier, with all tiers below it
+        complete, or None.
         """
         tiers = {}
         of = Counter(check.tier for check in self.checks.values())
@@ -39,19 +39,13 @@ class Results:
             states = Counter(outcome.state for check, outcome in self.ran if check.tier == tier)
             if states:
                 tiers[tier] = {
-                    "passed": states[PASSED],
                     "waiting": states[WAITING],
                     "failed": states[FAILED] + states[FAULT],
                     "points": states[PASSED],
                     "of": of[tier],
                 }
         points = {tier: counts["points"] for tier, counts in tiers.items()}
-        return {
-            "tiers": tiers,
-            "grade": highest(points, of),
-            "missing": self.missing_for_a_letter(tiers) if self.is_whole else "",
-            "next": self.next_step(),
-        }
+        return {"tiers": tiers, "grade": highest(points, of), "next": self.next_step()}
 
     def missing_for_a_letter(self, tiers: dict[str, dict]) -> str:
         """Return what the first tier lacks that is not complete, or "": the honor roll is extra."""

@@ -90,7 +90,7 @@ class Performance:
 
     check: Check
     trace: Trace | None = None
-    told: int | None = None  # the check goes on after wrong calls; this one of them is traced
+    goes_on: bool = False  # after wrong calls
     advice: list[str] = field(default_factory=list)  # for a student whose solution is right
     errors: list[WrongError] = field(default_factory=list)  # the wrong calls
     stand_ins: dict[str, Callable] = field(default_factory=dict)  # by function
@@ -118,15 +118,15 @@ class Grader:
         return [check for check in self.checks.values() if check.function == function]
 
     def perform(
-        self, check: Check, trace: Trace | None = None, told: int | None = None
+        self, check: Check, trace: Trace | None = None, goes_on: bool = False
     ) -> Performance:
         """Let a check call the student's functions, within limits; return what is known of it.
 
-        Raise a WrongError or a WaitError. If the function has not called each stand-in, nobody
-        knows whether it is right: raise a WaitError, whatever it gave. With told, go on after wrong
-        calls; see Performance.
+        Raise a WrongError or a WaitError. If the function has not called each stand-in, and has not
+        stopped by itself, nobody knows whether it is right: raise a WaitError, whatever it gave. If
+        it goes on after wrong calls, the trace is of the first one.
         """
-        performance = self.performance = Performance(check, trace, told)
+        performance = self.performance = Performance(check, trace, goes_on)
         for function, gives in check.stand_ins:
             performance.stand_ins[function] = stand_in(function, gives, performance.called)
         self.limits = self.new_limits()
@@ -139,7 +139,9 @@ class Grader:
             wrong = error
         finally:
             running.reset(token)
-        if performance.called != performance.stand_ins.keys():
+        places = wrong.raised.places if wrong and wrong.raised else []
+        has_stopped = places and is_students(places[-1].function, check.function)
+        if performance.called != performance.stand_ins.keys() and not has_stopped:
             raise WaitError(NOT_CALLED)
         if wrong:
             raise wrong
@@ -153,8 +155,7 @@ class Grader:
         """
         file = FUNCTIONS[call.function].file
         performance = self.performance
-        is_before = len(performance.errors) <= (performance.told or 0)
-        is_traced = is_before and call.function == performance.check.function
+        is_traced = not performance.errors and call.function == performance.check.function
         if performance.stand_ins and call.function == PROGRAM:
             is_traced = False  # the import of its file would be traced
         trace = performance.trace if is_traced else None
@@ -176,11 +177,8 @@ class Grader:
         if raised.stub and not raised.hint and not defined_twice(file, raised.stub):
             place = f"{place_of(raised, call.function) or file}"
             raise WaitError(f"you to write {raised.stub} in {place}", place)
-        if not raised.limit:
-            raise WrongError(Mistake(raised.text), call, [expected_line], raised.hint, raised)
-        mistake = Mistake(f"{call.function} {raised.limit}.")
-        came_back = "came back", f"nothing; it {raised.limit} and was stopped."
-        raise WrongError(mistake, call, [came_back, expected_line], raised.hint, raised)
+        sentence = f"{call.function} {raised.limit}." if raised.limit else raised.text
+        raise WrongError(Mistake(sentence), call, [expected_line], raised.hint, raised)
 
     def require_same_files(self, call: Call) -> None:
         """Raise WrongError if a call has written into a file."""
@@ -226,7 +224,7 @@ def expect(
         error.right = right
         grader.performance.errors.append(error)
         is_over_limit = error.raised and error.raised.limit
-        if grader.performance.told is None or is_over_limit:
+        if is_over_limit or not grader.performance.goes_on:
             raise
         return error.result
 

@@ -47,8 +47,9 @@ class Grading:
     def __init__(self, grader: Grader) -> None:
         self.grader = grader
         self.outcomes: dict[str, Outcome] = {}  # by the name of the check
-        self.alone: dict[str, Outcome] = {}  # of the checks with stand-ins, by function
-        self.hung: set[str] = set()  # functions that went over a limit: they are not called again
+        # What all further checks of a function have: one with stand-ins decides about all, and a
+        # function that went over a limit is not called again
+        self.decided: dict[str, Outcome] = {}
         self.told: set[str] = set()  # functions whose first mistake has its story
         # Files that cannot be imported, and the file that is the cause
         self.broken: dict[str, str] = {}
@@ -64,35 +65,26 @@ class Grading:
         return self.outcomes[check.name]
 
     def outcome_of(self, check: Check) -> Outcome:
-        """Return the outcome of a check that was not performed yet."""
-        function = check.function
-        causes = [name for name in needed(function) if self.is_not_right(name)]
-        if not causes:
-            return waiting(function) if function in self.hung else self.perform(check)
-        return self.outcome_alone(check, causes)
+        """Return the outcome of a check that was not performed yet.
 
-    def outcome_alone(self, check: Check, causes: list[str]) -> Outcome:
-        """Return the outcome of a check whose function needs some that are not right.
-
-        One check with stand-ins for them decides about all checks of the function.
+        If its function needs some that are not right, it is the check with stand-ins for them.
         """
         function = check.function
-        if function in self.alone:
-            outcome = self.alone[function]
-            is_told = outcome.state in (FAILED, FAULT)
-            return waiting(outcome.broken_file or function) if is_told else outcome
+        if function in self.decided:
+            return self.decided[function]
+        causes = [name for name in needed(function) if not self.is_right(name)]
+        if not causes:
+            return self.perform(check)
         outcome = self.perform(self.grader.alone[function])
         if outcome.waits_for == NOT_CALLED:
             outcome = waiting(", ".join(causes))
-        self.alone[function] = outcome
+        is_told = outcome.state in (FAILED, FAULT)
+        self.decided[function] = waiting(outcome.broken_file or function) if is_told else outcome
         return outcome
 
-    def is_not_right(self, function: str) -> bool:
-        """Return whether the function, or its file, is not written, or wrong."""
-        outcomes = [self.judge(check) for check in self.grader.checks_of(function)]
-        is_broken = FUNCTIONS[function].file in self.broken
-        is_wrong = any(outcome.state in (FAILED, FAULT) for outcome in outcomes)
-        return is_broken or is_wrong or any(outcome.is_unwritten for outcome in outcomes)
+    def is_right(self, function: str) -> bool:
+        """Return whether a function passes all its checks."""
+        return all(self.judge(check).state == PASSED for check in self.grader.checks_of(function))
 
     def perform(self, check: Check) -> Outcome:
         """Perform a check, and return its outcome."""
@@ -126,7 +118,7 @@ class Grading:
         """
         function = check.function
         if error.raised and error.raised.limit:
-            self.hung.add(function)
+            self.decided[function] = waiting(function)
         story = Story(what_is_wrong(error, ""))
         if function not in self.told:
             self.told.add(function)
@@ -161,9 +153,8 @@ class Grading:
             if outside[-1] is not raised.places[-1]:
                 hint = (
                     "This line stands outside of all functions, so it runs whenever Python reads "
-                    "the file. Remove it, or put it below if __name__ == '__main__'."
+                    "the file. Remove it."
                 )
         lines = [*code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
         message = "\n".join([f"{where}:", *lines])
-        story = Story(lines, hint=hint)
-        return Outcome(FAILED, message, place=where, broken_file=file, story=story)
+        return Outcome(FAILED, message, place=where, broken_file=file, story=Story(lines))

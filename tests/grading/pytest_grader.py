@@ -167,8 +167,6 @@ def grade_of_run(config: pytest.Config) -> dict:
             "title": check.title,
             "state": outcome.state,
             "message": outcome.message,
-            "place": outcome.place,
-            "hint": outcome.story.hint or outcome.advice,
         }
     # Nothing has failed for want of what other programs use as well, or by a fault of the grader
     are_faults = any(outcome.state == FAULT for outcome in results.outcomes.values())
@@ -182,7 +180,7 @@ def screen_of_run(config: pytest.Config) -> list[Line]:
     results = config.stash[RESULTS]
     if not results.outcomes:
         return []
-    notes = []
+    notes = changed_given()
     try:
         read_cradle(Snapshot(NC_FP))
     except ValueError as error:  # the checks have files of their own
@@ -190,7 +188,7 @@ def screen_of_run(config: pytest.Config) -> list[Line]:
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     failed = getattr(reporter, "stats", {}).get("failed", [])
     printed = {name_of(failure): failure.capstdout for failure in failed}
-    screen = Screen(results, get_terminal_size().columns, notes, changed_given())
+    screen = Screen(results, get_terminal_size().columns, notes)
     return screen.lines(printed)
 
 

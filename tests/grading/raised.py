@@ -75,16 +75,11 @@ class StoppedError(Exception):
     def culprit(self) -> str | None:
         """The file of src/ that made an import fail, or None.
 
-        It lacks a function, or is missing itself, or is the first one of a circle, or has the last
-        line that ran.
+        It lacks a function, or is the first one of a circle, or has the last line that ran.
         """
         missing = re.search(r"cannot import name '(\w+)' from 'src\.", self.text)
         if missing and missing[1] in FUNCTIONS:
             return FUNCTIONS[missing[1]].file
-        if isinstance(self.error, ModuleNotFoundError):
-            name = f"{self.error.name}"
-            if name.startswith("src."):
-                return name.replace(".", "/") + ".py"
         files = [place.file for place in self.places if place.is_outside]
         if "circular import" in self.text:
             # In the order of the handout, it is the first file that imports from a later one

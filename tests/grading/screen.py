@@ -10,7 +10,7 @@ from typing import NamedTuple
 from grading.assignment import HONOR
 from grading.grade import place_of_failure, Results
 from grading.messages import LABEL, labelled
-from grading.outcomes import PASSED, WAITING
+from grading.outcomes import FAILED, FAULT, PASSED, WAITING
 from grading.story import Story
 from grading.words import plural
 from line_by_line.table import COLUMNS, fitting
@@ -35,7 +35,6 @@ class Screen:
     results: Results
     columns: int
     notes: list[str]  # about something else
-    changed: list[str]  # which given functions have changed
 
     def lines(self, printed: dict[str, str]) -> list[Line]:
         """Return what a student reads.
@@ -49,10 +48,7 @@ class Screen:
         check, outcome = failed[0]
         title = Line(self.separator(place_of_failure(check, outcome), "_"), "red")
         story = outcome.story
-        if outcome.broken_file:
-            return [title, *map(Line, story.wrong), *end]
-        above = [line for sentence in self.changed for line in labelled("given", sentence)]
-        above += story.wrong or outcome.message.split("\n")
+        above = story.wrong or outcome.message.split("\n")
         below = [*story.below, *self.others_line()]
         height = SCREEN - 3 - len([*end, *above, *below])
         table = table_lines(story, height)
@@ -89,18 +85,15 @@ class Screen:
         graded = self.results.grade()
         lines = [Line(self.separator("Grade", "="))]
         for tier, counts in graded["tiers"].items():
-            if counts["passed"] or counts["failed"]:
+            if counts["points"] or counts["failed"]:
                 lines.append(Line(self.tier_line(tier, counts), color_of(counts)))
         lines += [Line(sentence, "bold") for sentence in self.verdict(graded)]
         passed = [outcome for _, outcome in self.results.ran if outcome.state == PASSED]
         notes = [*(outcome.advice for outcome in passed if outcome.advice), *self.notes]
-        failed = self.results.failed()
-        if not failed:
-            notes += self.changed
         for note in dict.fromkeys(notes):  # each once
             indent = " " * 7
             lines += map(Line, wrap(f"Note:  {note}", self.columns, subsequent_indent=indent))
-        if failed:
+        if self.results.failed():
             return lines
         complete = [tier for tier, counts in graded["tiers"].items() if is_complete(counts)]
         shown = graded["grade"] if self.results.is_whole else "".join(complete[-1:])
@@ -112,20 +105,25 @@ class Screen:
 
     def verdict(self, graded: dict) -> list[str]:
         """Return the grade or, if not all checks ran, which tiers are complete."""
+        tiers = graded["tiers"]
         if self.results.is_whole:
-            return wrap(f"Grade: {graded['grade'] or 'none yet'}. {graded['missing']}", COLUMNS)
-        tiers = graded["tiers"].items()
-        return [f"Tier {tier} is complete." for tier, counts in tiers if is_complete(counts)]
+            missing = self.results.missing_for_a_letter(tiers)
+            return wrap(f"Grade: {graded['grade'] or 'none yet'}. {missing}", COLUMNS)
+        return [f"Tier {tier} is complete." for tier in tiers if is_complete(tiers[tier])]
 
     def tier_line(self, tier: str, counts: dict) -> str:
         """Return a line about a tier: points, how many checks failed, and for what others wait."""
-        not_run = counts["of"] - counts["passed"] - counts["waiting"] - counts["failed"]
-        others: Counter[str] = Counter({"failed": counts["failed"], "not run": not_run})
+        not_run = counts["of"] - counts["points"] - counts["waiting"] - counts["failed"]
+        others: Counter[str] = Counter({"not run": not_run})
         for check, outcome in self.results.ran:
-            if check.tier == tier and outcome.is_unwritten:
+            if check.tier == tier and outcome.state in (FAILED, FAULT):
+                where = "" if outcome.broken_file else f" in {check.function}"
+                others[f"failed{where}"] += 1
+            elif check.tier == tier and outcome.is_unwritten:
                 others["not written"] += 1
             elif check.tier == tier and outcome.state == WAITING:
-                others[f"wait for {outcome.waits_for}"] += 1
+                cause = outcome.waits_for
+                others[f"wait for {'it' if cause == check.function else cause}"] += 1
         extra = " (extra)" if tier == HONOR else ""
         text = f"{tier:<12}{counts['points']:>3} of {counts['of']} points{extra}"
         causes = [f"{count} {cause}" for cause, count in others.items() if count]

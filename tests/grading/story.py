@@ -33,7 +33,6 @@ class Story(NamedTuple):
     wrong: list[str]  # what is wrong, the call, and both values
     rows: list[Row] = []  # of the table
     below: list[str] = []  # what is right, what was seen, and the steps
-    hint: str = ""
     place: str = ""  # at which Python stopped: a file, and a line of it
 
 
@@ -43,13 +42,13 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
     trace = Trace(WORDS, lambda code: is_watched(code, check.function), is_named)
     errors = [error]
     if can_repeat(grader, error):
-        check, told, errors = what_to_tell(grader, check, error)
         trace.is_endless = is_endless(error)
-        again = ask_again(grader, check, trace, None if trace.is_endless else told)
-        if again and not trace.is_endless:
-            error = again[min(told, len(again) - 1)]
-        elif not again:
+        again = ask_again(grader, check, trace)
+        if not again:
             facts = ["Called again with the same values, it gave the right result."]
+        elif not trace.is_endless:
+            errors = again
+            error = again[0]
     rows = rows_of(trace, wanted_in(error)) if not facts and not trace.fault else []
     if rows:
         facts = facts_of(check, error, trace)
@@ -60,7 +59,7 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
     place = ""
     if error.raised and not error.raised.limit:
         place = f"{place_of(error.raised, check.function) or ''}"
-    return Story(what_is_wrong(error, hint, has_rows=bool(rows)), rows, below, hint, place)
+    return Story(what_is_wrong(error, hint, has_rows=bool(rows)), rows, below, place)
 
 
 def can_repeat(grader: Grader, error: WrongError) -> bool:
@@ -75,36 +74,14 @@ def is_endless(error: WrongError) -> bool:
     return bool(error.raised and error.raised.limit)
 
 
-def what_to_tell(
-    grader: Grader, check: Check, error: WrongError
-) -> tuple[Check, int, list[WrongError]]:
-    """Return the check that is told, the index of its wrong call, and all wrong calls of it.
-
-    An error of arithmetic at an extreme value gives way to an ordinary call that is wrong.
-    """
-    if is_endless(error):
-        return check, 0, [error]
-    errors = ask_again(grader, check)
-    if not error.raised or not isinstance(error.raised.error, ArithmeticError):
-        return check, 0, errors
-    for other in grader.checks_of(check.function):
-        others = errors if other is check else ask_again(grader, other)
-        for i, wrong in enumerate(others):
-            if not wrong.raised:
-                return other, i, others
-    return check, 0, errors
-
-
-def ask_again(
-    grader: Grader, check: Check, trace: Trace | None = None, told: int | None = 0
-) -> list[WrongError]:
-    """Perform a check once more; return its wrong calls: without told, it ends at the first one.
+def ask_again(grader: Grader, check: Check, trace: Trace) -> list[WrongError]:
+    """Perform a check once more; return its wrong calls. The first one is traced.
 
     The student's code prints nothing now.
     """
     try:
         with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-            grader.perform(check, trace, told)
+            grader.perform(check, trace, goes_on=not trace.is_endless)
     except (Exception, KeyboardInterrupt):  # a check may need right results to go on
         if grader.limits.is_pressed:
             raise
@@ -221,8 +198,6 @@ def facts_of(check: Check, error: WrongError, trace: Trace) -> list[str]:
     if "relative_filepath" in function.parameters and "NC_FP" in names:
         facts.append("Your function names NC_FP: the file to read is relative_filepath.")
     facts += warnings_in(check.function)
-    for name, file in {call.name: call.code.co_filename for call in trace.calls[1:]}.items():
-        facts += filter(None, [defined_twice(file, name)])
     if error.raised:
         return facts
     facts += unchanged(error, trace)

@@ -16,8 +16,7 @@ BROKEN = {
     "initialized module 'src.swinging' (most likely due to a circular import) ({}) Your files "
     "import each other in a circle. Remove the import in this file.",
     "(lambda: 1 / 0)()": "(lambda: 1 / 0)() ZeroDivisionError: division by zero This line stands "
-    "outside of all functions, so it runs whenever Python reads the file. Remove it, or put it "
-    "below if __name__ == '__main__'.",
+    "outside of all functions, so it runs whenever Python reads the file. Remove it.",
 }
 
 

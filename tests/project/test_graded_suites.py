@@ -36,7 +36,7 @@ def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, f
     for outcome in failed:
         assert "grader" not in outcome.message
         assert len(outcome.story.wrong) <= 20
-        assert outcome is failed[0] or not outcome.story.hint
+        assert outcome is failed[0] or not outcome.story.below
     assert words in story_of(failed[0])
 
 

@@ -40,9 +40,8 @@ def test_what_takes_too_much_is_stopped_and_not_called_again(
     """Only the lines of what takes processor time are watched."""
     solve(function, f"print('called')\n{body}")
     first, second, *_ = outcomes_of(function, users=False, **within).values()
-    assert f"came back   nothing; it {message} and was stopped" in first.message
     assert f"{function} {message}." in first.message
-    assert first.story.hint.endswith("rate?") == (function == PROGRAM)
+    assert ("rate?" in first.message) == (function == PROGRAM)
     assert bool(first.story.rows) == ("patience" in within)
     assert second.message == f"waits for {function}"
     assert capsys.readouterr().out == "called\n"
@@ -112,8 +111,7 @@ def test_a_function_with_code_beside_its_raise_is_written(solve, function, body,
     outcomes = [*outcomes_of(function, users=False).values()]
     assert any(outcome.is_unwritten for outcome in outcomes) != has_code
     end = f", raise NotImplementedError: it stops {function} before its end."
-    hint = outcomes[0].story.hint
-    assert hint.startswith("Delete line ") == hint.endswith(end) == has_code
+    assert (end in " ".join(outcomes[0].message.split())) == has_code
 
 
 def test_a_mistake_has_its_table_also_if_other_checks_run_first(solve):
