@@ -309,7 +309,7 @@ def test_both_radii_count():
 
 @check("handle_two_bobs")
 def test_e_is_the_first_pendulums():
-    """The collision takes e from pend1, whatever e pend2 has."""
+    """The collision takes e from pend1, and never from pend2."""
     check_pair((1.0, 3.0), e1=0.5, e2=1.0)
     check_pair((0.0, 4.0), e1=1.0, e2=0.5)
     check_pair((2.0, 2.0), e1=0, e2=1.0)
@@ -322,7 +322,7 @@ def test_e_is_the_first_pendulums():
 
 @check("handle_two_bobs")
 def test_bobs_that_touch_collide_whatever_their_velocities_are():
-    """Bobs that touch collide, whatever their omegas are."""
+    """Bobs that touch collide with any omegas."""
     check_pair(HITS)
     check_pair((1.25, -0.25), omega1=-1.0, omega2=2.0)
     check_pair((-2.25, -0.75), omega1=0.0, omega2=-3.0)

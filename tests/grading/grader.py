@@ -123,8 +123,8 @@ class Grader:
         """Let a check call the student's functions, within limits; return what is known of it.
 
         Raise a WrongError or a WaitError. If the function has not called each stand-in, and has not
-        stopped by itself, nobody knows whether it is right: raise a WaitError, whatever it gave. If
-        it goes on after wrong calls, the trace is of the first one.
+        stopped by itself, raise a WaitError: nobody knows whether it is right. If it goes on after
+        wrong calls, the trace is of the first one.
         """
         performance = self.performance = Performance(check, trace, goes_on)
         for function, gives in check.stand_ins:

@@ -108,7 +108,7 @@ def test_the_verdict_names_what_is_missing_and_the_program_to_look_at(
     assert verdict in lines
     assert any(line.startswith("Grade:") for line in lines) == (tiers is SUITES)
     shown = [line.partition("src/")[2] for line in lines if line.startswith("Look at it:")]
-    assert shown == [program] * bool(program)
+    assert shown == ([program] if program else [])
 
 
 README = (ROOT / "tests/starter/README.md").read_text(encoding="utf-8")
