@@ -19,7 +19,6 @@ class Column(NamedTuple):
     """A column, with the values that its cells may have."""
 
     name: str
-    default: str  # of an experiment that does not say it
     example: str = ""  # of its numbers, in a message
     unit: str = ""  # of its numbers
     # The least and the greatest number, as a message shows them
@@ -45,12 +44,12 @@ class Column(NamedTuple):
 # theta and omega have no limits: the start of a cradle does not depend on them.
 COLUMNS = (
     # Floats below 1e-308 have few digits: hits would change the energy.
-    Column("mass", default="1", example="1.5", unit="kg", limits=("1e-300", "1e6")),
-    Column("e", default="1", example="0.9", limits=("0", "1")),
-    Column("theta", default="0.0", unit="rad"),
-    Column("omega", default="0.0", unit="rad/s"),
-    Column("color", default="red", choices=COLOR_MAP),
-    Column("texture", default="metal", choices=TEXTURE_MAP),
+    Column("mass", example="1.5", unit="kg", limits=("1e-300", "1e6")),
+    Column("e", example="0.9", limits=("0", "1")),
+    Column("theta", unit="rad"),
+    Column("omega", unit="rad/s"),
+    Column("color", choices=COLOR_MAP),
+    Column("texture", choices=TEXTURE_MAP),
 )
 
 # The names of the columns of the CSVs that the programs write.

@@ -3,9 +3,9 @@
 LONGEST_FOUND = 300  # letters of a text in a message
 
 
-def found(text: str, allowed: str) -> str:
-    """Return the words of a message: this text was found, and what is allowed."""
-    what = in_short(repr(text)) if text else "nothing"
+def found(value: object, allowed: str) -> str:
+    """Return the words of a message: this value was found, and what is allowed."""
+    what = in_short(repr(value)) if value not in (None, "") else "nothing"
     return f"found {what}, allowed is {allowed}"
 
 

@@ -26,7 +26,7 @@ if __name__ == "__main__":
 import pymunk
 import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles
-from pages import ARGUMENTS, BOBS, CHROMIUM, draw, GIVE_NAMES
+from pages import ARGUMENTS, CHROMIUM, draw
 from programs import PROGRAM, running
 from whole_cradles import advance, do_one_by_one, GOOD, HEADER, make_row
 
@@ -156,18 +156,11 @@ def draw_errors(rows, file) -> None:
     figure.savefig(file, dpi=120)
 
 
-@contextmanager
-def new_tab(browser):
-    """Yield a new tab whose names the tests can use."""
-    with browser.new_page() as page:
-        page.add_init_script(GIVE_NAMES)
-        yield page
-
-
 def open_and_draw(page, address) -> None:
     """Open a page, and wait until the browser has drawn its first picture."""
     page.goto(address)
-    page.wait_for_function(f"() => window.glowObjs && ({BOBS})().length")
+    is_bob = "shape?.constructor.name === 'sphere' && shape.visible"
+    page.wait_for_function(f"window.glowObjs?.some(shape => {is_bob})")
     draw(page, True)
 
 
@@ -176,7 +169,7 @@ def shown(browser, *command):
     """Start a program, and show it in a new tab; yield its process, and the tab."""
     with (
         running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as process,
-        new_tab(browser) as page,
+        browser.new_page() as page,
     ):
         open_and_draw(page, re.search(r"http:\S+", process.stdout.readline())[0])
         yield process, page
@@ -256,7 +249,7 @@ def look(process, wait) -> tuple[float, float, float]:
 
 def saved_run(browser, seconds=30) -> None:
     """Print the size of a run of these seconds as an HTML file, and the time until it is drawn."""
-    with tempfile.TemporaryDirectory() as folder, new_tab(browser) as page:
+    with tempfile.TemporaryDirectory() as folder, browser.new_page() as page:
         file = Path(folder, "run.html")
         with running(PROGRAM, "--html", str(file), "--seconds", f"{seconds}") as program:
             program.wait()

@@ -1,7 +1,9 @@
 """The cradle of a program, which makes and moves it; this class releases and measures it."""
 
+import re
 from collections.abc import Mapping, Sequence
-from itertools import accumulate, takewhile
+from contextlib import suppress
+from itertools import accumulate
 from math import pi, sqrt
 from typing import Any
 
@@ -12,8 +14,16 @@ from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import move, push_others
 from support.energy import bob_motions, energies, momentum
 from support.files.experiments import Hidden
+from support.files.valid_cradle import CradleCsv, numbers_in
 from support.pendulum import cord_angles, Pendulum
 from support.start.mistake import MistakeError, require_numbers, require_pendula
+
+COUNT = "the number of bobs"
+# Times the largest angle: earlier hits may have left a smaller one to a pendulum that hangs.
+HANGS = 0.02
+
+# The names of what tells a hidden mass, or a hidden e, at once
+TELLING = re.compile("mass|^e$|csv|energ|kinetic|potential|total|moment")
 
 
 class Cradle:
@@ -39,9 +49,10 @@ class Cradle:
     def __init__(self) -> None:
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
-        self.hidden: Hidden | None = None  # a class finds it: nothing shows it
+        self.hidden: Hidden | None = None  # a class finds it: see shows
+        self.own: list[str] = []  # what the program sets itself: COUNT, or columns of the CSV
         self.made_angles: list[float] = []  # rad: their release angle
-        self.made_lifted = 0  # the number of lifted pendula when they were made
+        self.lifted = 0  # the number of lifted pendula, at the release or by hand
         self.known_keys: set[str] = set()  # of a pendulum
         self.places: dict[tuple[float, ...], int] = {}  # of an axle (m) -> the pendulum's index
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
@@ -75,6 +86,15 @@ class Cradle:
         self.known_keys = {*columns, *keys, "objects"}
         self.note_made_angles()
 
+    def own_ways(self, csv: CradleCsv) -> list[str]:
+        """Return what this CSV does not decide: the number of pendula, and names of columns."""
+        own = [COUNT] if len(self.pend_list) != len(csv.pendula) else []
+        for name in SETTABLE:
+            pairs = zip(self.values(name), numbers_in(csv, name), strict=False)
+            if any(value != number for value, number in pairs):
+                own.append(name)
+        return own
+
     def require_same_pendula(self) -> None:
         """Raise a MistakeError if a tick has changed the number of pendula, or spoilt one."""
         now = len(self.pend_list)
@@ -99,8 +119,7 @@ class Cradle:
         """Take the present angles of the pendula as those with which the cradle was made."""
         upper, *lower = cord_angles(self.pend_list[0])
         self.made_angles = [upper, *(angle - upper for angle in lower)]
-        lifted = (any(cord_angles(pend)) for pend in self.pend_list)
-        self.made_lifted = len([*takewhile(bool, lifted)])
+        self.note_lifted()
 
     def release_angles(self, angles: Sequence[float | None]) -> list[float]:
         """Return these angles (rad), with that of the program for each None."""
@@ -109,13 +128,10 @@ class Cradle:
             for angle, made in zip(angles, self.made_angles, strict=True)
         ]
 
-    def lifted_count(self, angles: Sequence[float | None], lifted: int | None) -> int:
-        """Return how many pendula release lifts."""
-        if lifted is not None:
-            return min(lifted, len(self.pend_list))
-        if all(angle is None for angle in angles):
-            return self.made_lifted
-        return max(1, self.made_lifted)
+    def note_lifted(self) -> None:
+        """Count the pendula that are lifted now."""
+        angles = [max(map(abs, cord_angles(pend))) for pend in self.pend_list]
+        self.lifted = sum(angle > HANGS * max(angles) for angle in angles)
 
     def release(self, angles: Sequence[float | None], lifted: int | None) -> None:
         """Lift the first `lifted` pendula to these angles (rad); the others hang, all are at rest.
@@ -126,7 +142,9 @@ class Cradle:
         """
         if lifted is None and all(angle is None for angle in angles):
             return
-        count = self.lifted_count(angles, lifted)
+        if lifted is None:
+            lifted = max(1, self.lifted)
+        self.lifted = count = min(lifted, len(self.pend_list))
         lifted_angles = list(accumulate(self.release_angles(angles)))
         for pend in self.pend_list[:count]:
             move(pend, lifted_angles, R_PARAM)
@@ -166,17 +184,37 @@ class Cradle:
         """Return the color of each pendulum's upper bob."""
         return [pend["objects"][1].color for pend in self.pend_list]
 
+    def index_of(self, value: Any) -> int | None:
+        """Return the index of a pendulum, or of a copy with its axle; of another value, None."""
+        for index, pend in enumerate(self.pend_list):
+            if pend is value:
+                return index
+        if isinstance(value, dict):
+            with suppress(AttributeError, LookupError, TypeError):
+                return self.places[tuple(value["objects"][0].pos.value)]
+        return None
+
     def values(self, key: str) -> list:
         """Return pend[key] of each pendulum."""
         return [pend[key] for pend in self.pend_list]
+
+    def shows(self, name: str) -> bool:
+        """Return whether what has this name tells nothing that is hidden.
+
+        What leaves for a tab, a file or a record asks this rule.
+        """
+        return not (self.hidden and TELLING.search(name.lower()))
+
+    def without_hidden(self, found: Mapping[str, Any]) -> dict[str, Any]:
+        """Return what was found, by its names, without what tells a hidden value."""
+        return {name: value for name, value in found.items() if self.shows(name)}
 
     def shown(self, key: str) -> list:
         """Return pend[key] of each pendulum, with None for what is hidden."""
         values = self.values(key)
         if self.hidden and self.hidden.column == key:
             for row in self.hidden.rows:
-                if row < len(values):
-                    values[row] = None
+                values[row] = None
         return values
 
     def coordinates(self) -> dict[str, float]:

@@ -39,6 +39,7 @@ class HeldBob:
         drag_bob(self.cradle.pend_list, pend_index, bob, point.x, point.y, R_PARAM)
         if cord_angles(pend) != before:
             self.has_moved = True
+            self.cradle.note_lifted()
 
     def let_go(self) -> None:
         """Hold nothing."""

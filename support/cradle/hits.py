@@ -24,6 +24,9 @@ class Hit(NamedTuple):
     # Copies of the two pendula, the left one first.
     before: tuple[Pendulum, Pendulum]
     after: tuple[Pendulum, Pendulum]
+    # Of the call that made it
+    arguments: tuple
+    named: dict[str, Any]
 
 
 class Hits:
@@ -33,15 +36,15 @@ class Hits:
     """
 
     def __init__(self, cradle: Cradle, next_cradle: NextCradle):
-        """next_cradle.separating says whether the function gets separating bobs, too."""
+        """The settings of next_cradle say whether the function gets separating bobs, too."""
         self.cradle = cradle
         self.next_cradle = next_cradle
         self.noted: list[Hit] = []  # of the present batch
         self.tick = 0  # the number of the present tick
         self.was_asked = False  # whether a tick of this run has called the function
         self.has_rule = cradle.cord_count == 1
-        self.pendula: list[Pendulum] = []  # those with which the run began
-        self.indices: dict[int, int] = {}  # of each one's id -> its index
+        # Of each id of a pendulum with which the run began -> its index, and the pendulum
+        self.known: dict[int, tuple[int, Pendulum]] = {}
         self.replaced = ExitStack()  # puts the function back
 
     def listen(self) -> None:
@@ -51,8 +54,7 @@ class Hits:
         name = cradle.collide_name
         self.tick = 0
         self.was_asked = False
-        self.pendula = [*cradle.pend_list]  # so no other dictionary gets one of these ids
-        self.indices = {id(pend): index for index, pend in enumerate(self.pendula)}
+        self.known = {id(pend): (i, pend) for i, pend in enumerate(cradle.pend_list)}
         if name in names:
             self.replaced.callback(names.__setitem__, name, names[name])
             names[name] = partial(self.collide, names[name])
@@ -68,11 +70,18 @@ class Hits:
         not two pendula, the function shows what is wrong.
         """
         self.was_asked = True
-        pair = self.pair_among(arguments, named)
-        if pair is None:
+        try:  # the handout's call is the usual one, and must be quick
+            pend1, pend2, _ = arguments
+            pair = [self.known[id(pend1)], self.known[id(pend2)]]
+        except (KeyError, ValueError):
+            pair = self.pendula_among([*arguments, *named.values()])
+        if len(pair) != 2 or pair[0] is pair[1]:
             return function(*arguments, **named)
-        left, right, index1, index2 = pair
-        if self.has_rule and not self.next_cradle.separating and not are_approaching(left, right):
+        (index1, left), (index2, right) = pair
+        if index1 > index2:
+            index1, left, index2, right = index2, right, index1, left
+        separating = self.next_cradle.settings.separating
+        if self.has_rule and not separating and not are_approaching(left, right):
             return None
         before = dict(left), dict(right)
         result = function(*arguments, **named)
@@ -80,36 +89,17 @@ class Hits:
             if left.get(key) != before[0].get(key) or right.get(key) != before[1].get(key):
                 speed = self.cradle.approach(*before)
                 after = dict(left), dict(right)
-                self.noted.append(Hit(self.tick, index1, index2, speed, before, after))
+                self.noted.append(
+                    Hit(self.tick, index1, index2, speed, before, after, arguments, named)
+                )
                 break
         return result
 
-    def pair_among(
-        self, arguments: tuple, named: dict[str, Any]
-    ) -> tuple[Pendulum, Pendulum, int, int] | None:
-        """Return the two pendula among the arguments of a call, the left one first, or None.
-
-        Their indices follow.
-        """
-        try:  # the handout's call is the usual one
-            pend1, pend2, _ = arguments
-            index1, index2 = self.indices[id(pend1)], self.indices[id(pend2)]
-        except (KeyError, ValueError):
-            values = (*arguments, *named.values())
-            try:
-                pend1, pend2 = [value for value in values if isinstance(value, dict)]
-                index1, index2 = self.index_of(pend1), self.index_of(pend2)
-            except (AttributeError, LookupError, TypeError, ValueError):
-                return None
-        if index1 == index2:
-            return None
-        if index1 > index2:
-            return pend2, pend1, index2, index1
-        return pend1, pend2, index1, index2
-
-    def index_of(self, pend: Pendulum) -> int:
-        """Return the index of a pendulum, or of a copy, by the place of its axle."""
-        return self.cradle.places[tuple(pend["objects"][0].pos.value)]
+    def pendula_among(self, values: list) -> list[tuple[int, Pendulum]]:
+        """Return the indices of the pendula among these values, and the pendula."""
+        found: dict[Any, Pendulum] = {self.cradle.index_of(value): value for value in values}
+        found.pop(None, None)
+        return [*found.items()]
 
 
 def are_approaching(left: Pendulum, right: Pendulum) -> bool:

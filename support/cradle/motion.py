@@ -13,7 +13,7 @@ Sample = dict[str, float]  # the data of a moment, by the names of the columns o
 # Of the speed of the fastest bob: a slower hit is not shown, for instance one of bobs that hang.
 FAST_PART = 0.1
 TOGETHER = 0.1  # bobs whose angles differ by less than this part swing together
-DIGITS = 2  # of a speed behind the point; slow cradles need more
+DIGITS = 2  # of a speed or a momentum behind the point; slow cradles need more
 KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum is none
 
 
@@ -34,9 +34,14 @@ class Motion:
         self.set_start()
 
     def set_start(self) -> None:
-        """Take the energy of this moment as 100 %, and find out which hits are fast."""
+        """Take the energy of this moment as 100 %, and find out how large all numbers can be."""
         self.start_energy = sum(self.cradle.energies())
-        self.fast_speed = FAST_PART * max(self.cradle.top_speeds(), default=0.0)  # m/s
+        top_speed = max(self.cradle.top_speeds(), default=0.0)  # m/s
+        self.fast_speed = FAST_PART * top_speed
+        self.most_momentum = self.cradle.most_momentum() or 1.0  # kg m/s
+        # Behind the point: of the speeds, and of the momenta.
+        self.digits = digits_for(top_speed)
+        self.momentum_digits = digits_for(self.most_momentum)
 
     def time(self) -> float:
         """Return the simulated time since the start (s)."""
@@ -62,7 +67,7 @@ class Motion:
         bobs = f"{noun} {', '.join(farthest)}"
         side = "left" if angle < 0 else "right"
         texts = [f"t = {self.time():.2f} s"]
-        if not self.cradle.hidden:
+        if self.cradle.shows("energy"):
             texts.append(f"energy {percent_as_text(self.energy_percent()).strip()}")
         texts.append(f"{bobs} at {abs(angle):.0f} degrees {side}")
         return ", ".join(texts)
@@ -74,6 +79,18 @@ class Motion:
         """
         energy = sum(energies(pend_list or self.cradle.pend_list, R_PARAM, G))
         return 100 * energy / self.start_energy if self.start_energy else 0.0
+
+    def momenta(self, pend_list: list[Pendulum]) -> list[float]:
+        """Return the horizontal momentum of each of these pendula, and the sum (kg m/s).
+
+        That of a pendulum is 0 if Measure shows its speed as 0.
+        """
+        momenta = []
+        for pend in pend_list:
+            velocity = self.cradle.velocity(pend)
+            moves = round(velocity, self.digits) != 0
+            momenta.append(self.cradle.whole_mass(pend) * velocity if moves else 0.0)
+        return [*momenta, momentum(pend_list, R_PARAM)]
 
     def sample(self) -> Sample:
         """Return the data of this moment by the names of the columns of a data file.
@@ -91,12 +108,6 @@ class Motion:
             "momentum": self.cradle.momentum(),
         }
 
-    def shown_sample(self) -> Sample:
-        """Return the sample of this moment; while a value is hidden, only t and the coordinates."""
-        if self.cradle.hidden:
-            return {"t": self.time(), **self.cradle.coordinates()}
-        return self.sample()
-
 
 def keeps_momentum(hit: Hit) -> bool:
     """Return whether a hit has kept the momentum of its pendula."""
@@ -113,16 +124,17 @@ def percent_as_text(percent: float) -> str:
     return f"{percent:5.1f} %" if percent < 1000 else "> 999 %"
 
 
-def digits_for(speed: float) -> int:
-    """Return how many digits behind the point the speeds of a cradle need; speed is the largest."""
+def digits_for(largest: float) -> int:
+    """Return how many digits behind the point the speeds, or the momenta, of a cradle need."""
     digits = DIGITS
-    while 0 < speed * 10**digits < 50:
+    while 0 < largest * 10**digits < 50:
         digits += 1
     return digits
 
 
-def signed(number: float, digits: int = 3) -> str:
-    """Return a momentum (kg m/s), or a velocity, as text with its sign."""
+def signed(number: float, digits: int) -> str:
+    """Return a momentum, or a velocity, as text with its sign; 0 has none."""
     if abs(number) >= 1e4:
         return f"{number:+.2e}"
-    return f"{round(number, digits) + 0.0:+.{digits}f}"  # + 0.0: not -0.000
+    number = round(number, digits)
+    return f"{number:+.{digits}f}" if number else f"{0:.{digits}f}"

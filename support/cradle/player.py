@@ -17,7 +17,6 @@ from time import perf_counter
 from typing import Any
 
 from support import constants, simulation
-from support.columns import SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.hits import Hits
 from support.cradle.motion import Motion
@@ -25,7 +24,7 @@ from support.cradle.real_time import BUSY, RealTime
 from support.cradle.settings import NextCradle, Settings
 from support.files.data_file import written
 from support.files.source_files import fresh_modules, main_module, run_file
-from support.files.valid_cradle import CradleCsv, file_for_pandas, numbers_in
+from support.files.valid_cradle import CradleCsv, file_for_pandas
 from support.pendulum import discard_all, Pendulum
 from support.start.end import end_if_signalled, SignalError
 from support.start.mistake import MistakeError
@@ -168,7 +167,7 @@ class Player:
         cradle.find_functions(self.names)
         cradle.accept(pend_list, settings.csv.columns)
         hidden = settings.hidden
-        is_there = hidden is not None and hidden.rows[0] < len(pend_list)
+        is_there = hidden is not None and hidden.rows[-1] < len(pend_list)
         cradle.hidden = hidden if is_there else None
         if settings.poses and len(settings.poses) == len(pend_list):  # it may read another file
             cradle.pose(settings.poses)
@@ -182,24 +181,17 @@ class Player:
         self.show_new_cradle()
 
     def note_own_ways(self, csv: CradleCsv) -> None:
-        """After a change, or with a copy of the CSV, say what the program does not take from it.
+        """Note what the program sets itself; if NC_FP is a copy of the CSV, say so.
 
         A preview takes only some pendula.
         """
         is_copy = str(csv.filepath) != constants.NC_FP
         self.copy = Path(constants.NC_FP).resolve() if is_copy else None
-        if self.is_preview or not (is_copy or self.next_cradle.is_changed):
-            return
+        self.cradle.own = [] if self.is_preview else self.cradle.own_ways(csv)
         if self.copy in written:
             self.note(COPY_WRITTEN)
-            return
-        if len(self.cradle.pend_list) != len(csv.pendula):
-            own = ["the number of bobs"]
-        else:
-            values = self.cradle.values
-            own = [name for name in SETTABLE if values(name) != numbers_in(csv, name)]
-        if own:
-            self.note(f"The program does not take {' and '.join(own)} from NC_FP.")
+        elif is_copy and self.cradle.own:
+            self.note(f"The program does not take {' and '.join(self.cradle.own)} from NC_FP.")
 
     def look_at_functions(self) -> None:
         """Find out whether the fast path can do the ticks; say why not, if the code is shipped."""

@@ -3,7 +3,7 @@
 from math import degrees, inf
 
 from support.constants import R_PARAM
-from support.cradle.motion import digits_for, FAST_PART, Motion
+from support.cradle.motion import FAST_PART, Motion
 from support.files.experiments import Experiment
 
 NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
@@ -111,7 +111,7 @@ class Measurement:
 
     def numbers(self) -> dict[str, str]:
         """Return the measured numbers as text, by the names that an experiment's text can have."""
-        digits = digits_for(self.fastest)
+        digits = self.motion.digits
         numbers = {"energy": f"{self.energy:.0f}", "hits": f"{self.hit_count}"}
         for i in range(len(self.swings)):
             numbers[f"swing_{i + 1}"] = f"{abs(self.swings[i]):.0f}"

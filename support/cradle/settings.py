@@ -15,6 +15,7 @@ class Settings(NamedTuple):
     # Of each pendulum's cords, from straight down (rad), in place of angles and lifted
     poses: list[list[float]] | None = None
     hidden: Hidden | None = None  # nothing shows it
+    separating: bool = False  # whether separating bobs collide, too
 
 
 def settings_of(experiment: Experiment) -> Settings:
@@ -30,12 +31,9 @@ class NextCradle:
     def __init__(self, settings: Settings):
         """Let the program make a cradle with these settings, as soon as it begins."""
         self.settings = settings
-        self.separating = False  # whether separating bobs collide, too
         self.is_wanted = True
-        self.is_changed = False  # whether it is wanted because of a change
 
     def want(self, **changed: Any) -> None:
         """Let the program run again, maybe with changed settings."""
         self.settings = self.settings._replace(**changed)
         self.is_wanted = True
-        self.is_changed = bool(changed)

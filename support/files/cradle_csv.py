@@ -58,14 +58,15 @@ class Snapshot:
     def rows(self) -> Iterator[CsvRow]:
         """Yield the rows, the header first.
 
-        Semicolons separate cells if the first line with text has one; a number can then have a
-        decimal comma, which becomes a point. Otherwise, commas separate them. Left out are rows
-        without a value, last cells without one, and spaces around a cell. Raises a ValueError that
-        names the mistake and its place if the file cannot be read, is not UTF-8 text, is empty, or
-        has a row with more cells than the header.
+        Semicolons separate cells if the first line with text has one, or else commas, or else tabs.
+        Beside semicolons and tabs, a number can have a decimal comma, which becomes a point. Left
+        out are rows without a value, last cells without one, and spaces around a cell. Raises a
+        ValueError that names the mistake and its place if the file cannot be read, is not UTF-8
+        text, is empty, or has a row with more cells than the header.
         """
         text = self.text()
-        separator = separator_in(text.lstrip().partition("\n")[0])
+        first_line = text.lstrip().partition("\n")[0]
+        separator = next((sign for sign in ";,\t" if sign in first_line), ",")
         lines = io.StringIO(text, newline="")
         reader = csv.reader(lines, delimiter=separator, skipinitialspace=True)
         header: CsvRow | None = None
@@ -111,13 +112,8 @@ class Snapshot:
             ) from error
 
 
-def separator_in(line: str) -> str:
-    """Return the sign that separates the cells of a CSV with this first line."""
-    return ";" if ";" in line else ","
-
-
 def plain_cell(text: str, separator: str) -> str:
-    """Return the text of a cell; in a number beside semicolons, a decimal comma becomes a point."""
+    """Return the text of a cell; if no commas separate cells, a decimal comma becomes a point."""
     number = text.replace(",", ".")
     return text if separator == "," or isnan(to_number(number)) else number
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from support.cradle.cradle import Cradle
-from support.cradle.settings import NextCradle, settings_of
+from support.cradle.settings import NextCradle, Settings, settings_of
 from support.files.cradle_csv import LiveFile
 from support.files.data_file import has_written
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
@@ -42,22 +42,19 @@ class Chooser:
         self.saved = self.first.csv  # your CSV, as it is in the file, with the options
         self.error = ""  # the mistake in it
         folder = EXPERIMENTS / cradle.kind
-        experiments, self.mistakes = read_experiments(folder, self.cords)
-        self.experiments = {experiment.name: experiment for experiment in experiments}
+        self.experiments, self.mistakes = read_experiments(folder, self.cords)
         self.experiment: Experiment | None = None  # None stands for your CSV
         self.is_changed = False  # whether the cradle is no longer that of the experiment
         if experiment:  # maybe in place of one with its name
             self.experiments[experiment.name] = experiment
             self.choose(experiment.name)
         self.pictures = {YOUR_CSV: at_rest(self.saved, self.cords)}
-        for name, known in self.experiments.items():
-            self.pictures[name] = gallery_picture(known.csv, known.poses, known.hidden)
-
         self.sheets = {}
         for name, known in self.experiments.items():
-            if known.asks():
+            self.pictures[name] = gallery_picture(known.csv, known.poses, known.hidden)
+            if known.question:
                 answers = [answer.text for answer in known.answers]
-                self.sheets[name] = {"question": known.asks(), "answers": answers}
+                self.sheets[name] = {"question": known.question, "answers": answers}
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
@@ -75,18 +72,11 @@ class Chooser:
         """Note that the cradle is no longer that of the experiment, if there is one."""
         self.is_changed = self.experiment is not None
 
-    def next_name(self) -> str:
-        """Return the name of the next experiment, after the last one the first."""
-        return self.name_after([*self.experiments])
-
-    def previous_name(self) -> str:
-        """Return the name of the experiment before this one, before the first one the last."""
-        return self.name_after([*self.experiments][::-1])
-
-    def name_after(self, names: list[str]) -> str:
-        """Return which of these names comes after the present one."""
-        if not names:
-            return YOUR_CSV
+    def next_name(self, is_backwards: bool = False) -> str:
+        """Return the name of the next experiment, or of the one before this; they are in a ring."""
+        names = [*self.experiments] or [YOUR_CSV]
+        if is_backwards:
+            names.reverse()
         if not self.experiment:
             return names[0]
         return names[(names.index(self.experiment.name) + 1) % len(names)]
@@ -96,22 +86,14 @@ class Chooser:
 
         If your CSV is chosen already, it is as at the start.
         """
+        is_again = name == self.name()
         if not self.experiment:
             self.yours = self.next_cradle.settings
-            if name == YOUR_CSV:
-                self.yours = self.first._replace(csv=self.saved)
         self.experiment = self.experiments.get(name)
         self.is_changed = False
-        if self.experiment:
-            self.next_cradle.settings = settings_of(self.experiment)
-        else:
-            self.next_cradle.settings = self.yours
+        is_as_you_left_it = not (self.experiment or is_again)
+        self.next_cradle.settings = self.yours if is_as_you_left_it else self.unchanged()
         self.next_cradle.want()
-
-    def choose_first(self) -> None:
-        """Choose your CSV, with its settings at the start."""
-        self.experiment = None
-        self.choose(YOUR_CSV)
 
     def look_at_file(self) -> None:
         """Choose your CSV again if you have saved it.
@@ -137,19 +119,11 @@ class Chooser:
         elif is_shown:
             self.next_cradle.settings = self.next_cradle.settings._replace(csv=csv)
 
-    def original(self) -> CradleCsv:
-        """Return the CSV of what is chosen, without changes on the page."""
-        return self.experiment.csv if self.experiment else self.saved
-
-    def is_edited(self) -> bool:
-        """Return whether you have changed numbers, or the number, of the pendula on the page."""
-        return self.next_cradle.settings.csv != self.original()
-
-    def has_changes(self) -> bool:
-        """Return whether the cradle is no longer as it was when it was chosen."""
+    def unchanged(self) -> Settings:
+        """Return the settings of what is chosen, without changes on the page."""
         if self.experiment:
-            return self.is_changed or self.is_edited()
-        return self.next_cradle.settings != self.first._replace(csv=self.saved)
+            return settings_of(self.experiment)
+        return self.first._replace(csv=self.saved)
 
     def state(self) -> State:
         """Return what the page must know of the choice."""
@@ -157,6 +131,6 @@ class Chooser:
             "error": self.error,
             "mistakes": self.mistakes,
             "pictures": dict(self.pictures),
-            "changed": self.has_changes(),
+            "changed": self.is_changed or self.next_cradle.settings != self.unchanged(),
             "sheets": self.sheets,
         }

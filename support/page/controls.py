@@ -10,10 +10,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 
-def is_switch(value: Any) -> bool:
-    return type(value) is bool
-
-
 def is_text(value: Any) -> bool:
     return type(value) is str
 
@@ -54,9 +50,8 @@ class Command:
 
 @dataclass
 class Control:
-    """A control: its name, its place on the page, its label, and its value."""
+    """A control: its place on the page, its label, and its value."""
 
-    name: str
     place: str  # as in data-place of page.html; the controls of a place stand in their order
     label: str
     get: Callable[[], Any]
@@ -89,7 +84,7 @@ class Switch(Control):
     """A value that is true or false."""
 
     def allows(self, value: Any) -> bool:
-        return is_switch(value)
+        return type(value) is bool
 
 
 @dataclass
@@ -98,12 +93,11 @@ class Slider(Control):
 
     limits: Callable[[], tuple[float, float]]
     as_text: Callable[[Any], str]
-    step: float = 1
-    is_whole: bool = False
+    step: float = 1  # a slider whose step is 1 takes whole numbers
 
     def allows(self, value: Any) -> bool:
         least, largest = self.limits()
-        has_kind = is_count(value) if self.is_whole else is_number(value)
+        has_kind = type(value) is int if self.step == 1 else is_number(value)
         return has_kind and least <= value <= largest
 
     def description(self) -> dict[str, Any]:

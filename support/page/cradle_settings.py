@@ -3,23 +3,22 @@
 The sliders and the table of the page change them. Each change lets the program make a new cradle.
 """
 
-from typing import NamedTuple
+from importlib import import_module
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
 
-from support.columns import CHECKED, SETTABLE
 from support.cradle.cradle import Cradle
 from support.cradle.settings import NextCradle
 from support.files.experiments import COLORS
-from support.files.valid_cradle import are_in_range, CradleCsv, IN_RANGE, with_numbers
+from support.files.valid_cradle import numbers_in, with_numbers
 from support.page.chooser import Chooser
 from support.page.names import State
 from support.pendulum import angle_to_outwards, outwards_to_angle
+from support.start.mistake import MistakeError, report_mistake
 
-
-class Refusal(NamedTuple):
-    """A number that you have typed into the table, but that is not allowed."""
-
-    text: str
-    message: str
+# The least and the largest number that you can type: two masses are at most MOST_TIMES apart.
+LIMITS = {"mass": (0.001, 1000), "e": (0, 1)}
 
 
 class CradleSettings:
@@ -30,8 +29,8 @@ class CradleSettings:
         self.cradle = cradle
         self.next_cradle = next_cradle
         self.chooser = chooser
-        self.refused: dict[str, Refusal] = {}  # by "row,column" of the table
-        self.refused_in: CradleCsv | None = None  # the table
+        self.motion_keys = [*cradle.angle_keys, *cradle.rate_keys]
+        self.saved: dict[str, float | str] = {}  # what came of the last save_csv
 
     def change(self, **changed: object) -> None:
         """Let the program make a cradle with these settings, no longer that of an experiment."""
@@ -47,34 +46,19 @@ class CradleSettings:
 
     def set_release_angle(self, cord: int, degrees: float) -> None:
         """Release the bobs with this angle of this cord, outwards."""
-        self.leave_poses()
-        angles = list(self.next_cradle.settings.angles)
+        angles = self.cradle.release_angles(self.next_cradle.settings.angles)
         angles[cord] = outwards_to_angle(degrees)
-        self.change(angles=angles)
+        self.release(angles=angles)
 
-    def lifted(self) -> int:
-        """Return the number of lifted bobs."""
-        settings = self.next_cradle.settings
-        return self.cradle.lifted_count(settings.angles, settings.lifted)
-
-    def set_lifted(self, lifted: int) -> None:
-        """Lift this number of bobs."""
-        self.leave_poses()
-        self.change(lifted=lifted)
-
-    def leave_poses(self) -> None:
-        """Lift the bobs as the sliders say, no more as an experiment says."""
+    def release(self, **changed: object) -> None:
+        """Change these settings, and lift the bobs as the sliders say, no more as an experiment."""
+        cradle = self.cradle
         if self.next_cradle.settings.poses:
-            angles = list(self.cradle.made_angles)
-            self.change(poses=None, angles=angles, lifted=self.cradle.made_lifted)
+            lifted = {"poses": None, "angles": cradle.made_angles, "lifted": cradle.lifted}
+            changed = lifted | changed
+        self.change(**changed)
 
     # --- the pendula ---------------------------------------------------------------------------
-
-    def most_bobs(self) -> int:
-        """Return the larger number of pendula: of the present CSV, or without changes."""
-        return max(
-            len(csv.pendula) for csv in (self.chooser.original(), self.next_cradle.settings.csv)
-        )
 
     def set_count(self, count: int) -> None:
         """Let the cradle have this number of pendula; they come and go at the right end.
@@ -82,65 +66,73 @@ class CradleSettings:
         Those of the CSV come first. Each later one is like the one before it, with the next color
         of the experiments.
         """
-        self.leave_poses()
         csv = self.next_cradle.settings.csv
-        pendula = csv.pendula + self.chooser.original().pendula[len(csv.pendula) :]
+        pendula = csv.pendula + self.chooser.unchanged().csv.pendula[len(csv.pendula) :]
         color = csv.columns.index("color")
         while len(pendula) < count:
             added = [*pendula[-1]]
             added[color] = COLORS[len(pendula) % len(COLORS)]
             pendula.append(added)
-        self.change(csv=csv._replace(pendula=pendula[:count]))
+        self.release(csv=csv._replace(pendula=pendula[:count]))
 
-    def edit(self, row: int, column: str, text: str) -> None:
-        """Let the program make the cradle with this number in the table, or show why it is refused.
+    def can_change(self, name: str) -> bool:
+        """Return whether you can change this: COUNT, or a column of the CSV.
 
-        The other numbers of the table stay as the pendula have them now.
+        You cannot while a value is hidden, or if the program sets it itself.
         """
-        self.refused = self.refusals()
-        place = f"{row},{column}"
-        self.refused.pop(place, None)
-        numbers = {name: self.cradle.values(name) for name in SETTABLE}
-        is_there = row < len(numbers[column])  # you may type faster than the page shows a new table
-        if not is_there or self.cradle.hidden:
-            return
-        allowed = CHECKED[column].allowed()
-        fits = CHECKED[column].allows(text.strip())
-        if fits:
-            numbers[column][row] = float(text)
-            if column == "mass" and self.cradle.cord_count == 2:
-                allowed = IN_RANGE
-                fits = are_in_range(numbers[column])
-        if fits:
-            edited = with_numbers(self.next_cradle.settings.csv, numbers)
-            self.change(csv=edited)
-        else:
-            self.refused[place] = Refusal(text, f"{column}: allowed is {allowed}")
-        self.refused_in = self.next_cradle.settings.csv
+        return not self.cradle.hidden and name not in self.cradle.own
 
-    def refusals(self) -> dict[str, Refusal]:
-        """Return the numbers that were refused in the present table, by "row,column"."""
-        return self.refused if self.refused_in is self.next_cradle.settings.csv else {}
-
-    # --- hits ----------------------------------------------------------------------------------
+    def edit(self, row: int, column: str, number: float) -> None:
+        """Let the program make the cradle with this number in its table, if that is allowed."""
+        csv = self.next_cradle.settings.csv
+        numbers = numbers_in(csv, column)
+        least, most = LIMITS[column]
+        is_there = row < len(numbers)  # you may type faster than the page shows a new table
+        if is_there and least <= number <= most and self.can_change(column):
+            numbers[row] = number
+            self.change(csv=with_numbers(csv, {column: numbers}))
 
     def set_e(self, e: float) -> None:
         """Let the bobs collide with this e of all."""
         csv = self.next_cradle.settings.csv
         self.change(csv=with_numbers(csv, {"e": [e] * len(csv.pendula)}))
 
-    def set_separating(self, separating: bool) -> None:
-        """Let separating bobs collide, too, or not."""
-        self.next_cradle.separating = separating
-        self.change()
+    def save_csv(self, ticket: float) -> None:
+        """Let the program's own write_to_csv write the pendula without their motion.
+
+        The tab that has asked knows the answer by its ticket.
+        """
+        if self.cradle.hidden:
+            return
+        pendula = [dict(pend) for pend in self.cradle.pend_list]
+        for pend in pendula:
+            for key in self.motion_keys:
+                del pend[key]
+        text = mistake = ""
+        try:
+            write = import_module("src.pds_helper").write_to_csv
+            with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
+                file = Path(folder, "cradle.csv")
+                write(pendula, str(file))
+                if not file.exists():
+                    raise MistakeError(write, "has not written the file at filepath.")
+                text = file.read_text(encoding="utf-8")
+        except Exception as error:
+            mistake = report_mistake(error)
+        self.saved = {"ticket": ticket, "text": text, "mistake": mistake}
 
     def state(self) -> State:
-        """Return what the page must know of the pendula, and their table."""
-        cradle = self.cradle
+        """Return what the page must know of the pendula: their table, and their CSV."""
+        return {"table": [*map(self.column, (*LIMITS, *self.motion_keys))], "saved_csv": self.saved}
+
+    def column(self, key: str) -> dict[str, Any]:
+        """Return a column of the table; it has limits if you can change its numbers."""
+        is_own = key in self.cradle.own
+        can_change = key in LIMITS and self.can_change(key)
+        places = "" if key in LIMITS else ".6f"
+        numbers = self.cradle.shown(key)
         return {
-            "columns": SETTABLE,
-            "keys": [*cradle.angle_keys, *cradle.rate_keys],
-            "table": {column: cradle.shown(column) for column in SETTABLE},
-            "refused": {place: refusal._asdict() for place, refusal in self.refusals().items()},
-            "now": {name: f"{number:.6f}" for name, number in cradle.coordinates().items()},
+            "title": f"{key}, set by the program" if is_own else key,
+            "limits": LIMITS[key] if can_change else None,
+            "texts": ["?" if number is None else f"{number:{places}}" for number in numbers],
         }

@@ -67,9 +67,9 @@ class FilmRecorder(Viewer):
         self.runs: list[bytes] = []  # as HTML
         self.report_progress: Progress = lambda done: None
         # Nobody answers here: run.js asks, in the file.
-        self.questions.ask_first = False
-        self.questions.ask_seen = False
+        self.lesson.asks = False
         self.marks.has_arrows = True
+        self.bars.is_on = True
 
     def play_experiments(self, names: Sequence[str]) -> None:
         """Play the experiments with these names, one after the other."""
@@ -97,7 +97,7 @@ class FilmRecorder(Viewer):
 
     def show_new_cradle(self) -> None:
         """Show a new cradle; one with a hidden value with what one needs to find it."""
-        self.playback.is_paused = False
+        self.lesson.is_paused = False
         self.marks.measures = bool(self.cradle.hidden)
         super().show_new_cradle()
 
@@ -110,10 +110,6 @@ class FilmRecorder(Viewer):
 
     def keep_time(self, most: float = inf) -> None:
         super().keep_time(min(most, self.last - self.motion.ticks))
-
-    def ghosts_in_view(self) -> list:
-        """Return all ghosts: the player of the file chooses the answer."""
-        return self.marks.ghosts
 
 
 def write_run(file: Path, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
@@ -198,5 +194,5 @@ def links_to(title: str, experiments: Sequence[Experiment]) -> str:
     ]
     for known in experiments:
         link = f'<a href="{quote(known.key)}.html">{escape(known.name)}</a>'
-        lines.append(f"<li>{link}<br>{escape(known.asks())}</li>")
+        lines.append(f"<li>{link}<br>{escape(known.question)}</li>")
     return "\n".join([*lines, "</ol>", ""])

@@ -1,36 +1,174 @@
-"""The experiments as a class goes through them: choose one, predict, see, and see it again."""
+"""The lesson: what is chosen is free, asked, running, asked again (seen), or explained.
 
+    asked       you predict what will happen; the cradle waits at its release
+    running     the first swing, which is measured
+    seen        you say what you saw; the cradle stands at its release again
+    explained   the page says what happened, and why; the cradle swings once more, and holds
+    free        there is no question
+
+With Ask, a run is asked before it runs, and seen before it is explained; without, it is neither.
+Again slowly repeats the swing, and changes nothing else. The lesson also owns pause, rest and
+speed, and the word about your last command. Nothing is stored, and nobody gets a score.
+"""
+
+from collections.abc import Callable
+from itertools import chain
+from math import pi, radians, sin, sqrt
+from typing import Any
+
+from support.constants import G
 from support.cradle.motion import Motion
+from support.cradle.prediction import Measurement
+from support.cradle.real_time import FRAME, RealTime
 from support.cradle.settings import NextCradle
+from support.files.experiments import Experiment
 from support.page.chooser import Chooser
-from support.page.playback import Playback
-from support.page.questions import Questions
+from support.page.names import State
+from support.page.scene.slow_hits import SlowHits
+
+FREE, ASKED, RUNNING, SEEN, EXPLAINED = "free", "asked", "running", "seen", "explained"
+REST = 3.0  # s that the picture rests after the first swing
+SLOWLY = 0.1  # times real time
+WAITS = "The cradle waits for your answer. Choose one."
+OVER = (
+    "You have changed the cradle, so its question is over. To ask it again, choose the experiment."
+)
 
 
 class Lesson:
-    """Chooses experiments, and asks their questions."""
+    """Owns the state of the lesson; the other parts show it, and are told."""
 
     def __init__(
         self,
         chooser: Chooser,
         next_cradle: NextCradle,
-        questions: Questions,
-        playback: Playback,
+        slow_hits: SlowHits,
+        pace: RealTime,
+        plan: Callable[..., None],
     ):
+        """Let the time go on; plan(ticks) plans the ticks of a frame, as that of a Player."""
         self.chooser = chooser
         self.next_cradle = next_cradle
-        self.questions = questions
-        self.playback = playback
+        self.slow_hits = slow_hits
+        self.pace = pace
+        self.plan = plan
+        self.asks = True  # the box Ask
+        self.is_paused = False
+        self.speed = 1.0  # that you have set, times real time
+        self.word = ""  # about your last command
+        self.enter(FREE)
+        self.wait_for_hidden()
+
+    def enter(self, state: str) -> None:
+        """Enter the first state of a lesson."""
+        self.state = state
+        self.replies: dict[str, int | None] = {ASKED: None, SEEN: None}  # the indices of answers
+        self.measurement: Measurement | None = None  # of the present swing
+        self.explained: Measurement | None = None  # that of the last whole swing
+        self.is_slow = False  # whether the swing is in slow motion
+        self.stands = state == ASKED  # whether the cradle waits at its release for an answer
+        self.repeats = False  # whether the next run repeats this one
+        self.holds = False  # whether the picture holds the end of the swing until you go on
+        self.rest_end = 0.0  # on the pace's clock
+
+    # --- a run ---------------------------------------------------------------------------------
+
+    def experiment(self, motion: Motion) -> Experiment | None:
+        """Return the experiment with a question whose cradle this Motion has, or None.
+
+        The program may have read another file, with another number of pendula.
+        """
+        experiment = self.chooser.whole_experiment()
+        if not experiment or not experiment.answers:
+            return None
+        is_its_cradle = len(experiment.poses) == len(motion.cradle.pend_list)
+        return experiment if is_its_cradle else None
+
+    def begin(self, motion: Motion) -> None:
+        """Begin a run of this Motion: ask its question, or repeat the last run."""
+        experiment = self.experiment(motion)
+        self.end_rest()
+        if not experiment:
+            self.enter(FREE)
+            if self.word != OVER:
+                self.word = ""
+            return
+        if not self.repeats:
+            self.enter(ASKED if self.asks else RUNNING)
+        self.repeats = False
+        if self.stands:
+            self.is_paused = False  # so the cradle runs when you have answered
+        self.measurement = Measurement(experiment, motion)
+
+    def repeat_run(self, stands: bool) -> None:
+        """Let the next run repeat this one; it stands at its release, or swings at once."""
+        self.repeats = True
+        self.stands = stands
+        self.is_paused = False
+        self.next_cradle.want()
+
+    def is_measuring(self) -> bool:
+        """Return whether the first swing of the present run is not yet over."""
+        return self.measurement is not None and not self.measurement.is_over
+
+    def measure(self) -> bool:
+        """Measure this moment; return whether the first swing ends with it.
+
+        Then ask what you have seen, or explain it: while you read, the picture holds. Without Ask,
+        it rests for a moment.
+        """
+        if not self.measurement or self.measurement.is_over:
+            return False
+        self.measurement.measure()
+        if not self.measurement.is_over:
+            return False
+        self.explained = self.measurement
+        self.is_slow = False
+        if self.state == RUNNING:
+            self.state = SEEN if self.asks else EXPLAINED
+        if self.state == SEEN:
+            self.repeat_run(stands=True)
+        elif self.asks:
+            self.holds = True
+        else:
+            self.rest_end = self.pace.clock() + REST
+        return True
+
+    def look(self) -> None:
+        """End the question if the cradle was changed."""
+        if self.chooser.is_changed and self.state != FREE:
+            if self.state == ASKED:  # what follows would give the answer away
+                self.is_paused = True
+            self.enter(FREE)
+            self.word = OVER
+
+    def is_running(self) -> bool:
+        """Return whether the time goes on."""
+        return not (self.is_paused or self.stands or self.holds or self.slow_hits.waits())
+
+    def is_resting(self) -> bool:
+        """Return whether the picture rests after the first swing."""
+        return self.holds or self.pace.clock() < self.rest_end
+
+    def speed_now(self) -> float:
+        """Return the speed of the present run, times real time."""
+        return SLOWLY if self.is_slow else self.speed
+
+    # --- commands ------------------------------------------------------------------------------
 
     def choose(self, name: str) -> None:
-        """Let the program make the cradle with this name; an experiment runs at once.
-
-        One with a hidden value waits: its first hit is the clearest.
-        """
+        """Let the program make the cradle with this name; it runs at once."""
         self.chooser.choose(name)
-        self.questions.word = ""
-        if self.chooser.experiment:
-            self.playback.is_paused = self.chooser.experiment.hidden is not None
+        self.enter(FREE)
+        self.word = ""
+        self.is_paused = False
+        self.wait_for_hidden()
+
+    def wait_for_hidden(self) -> None:
+        """Pause if what is chosen has a hidden value: its first hit is the clearest."""
+        experiment = self.chooser.experiment
+        if experiment and experiment.hidden:
+            self.is_paused = True
 
     def choose_next(self) -> None:
         """Choose the next experiment, after the last one the first."""
@@ -38,40 +176,123 @@ class Lesson:
 
     def choose_previous(self) -> None:
         """Choose the experiment before this one, before the first one the last."""
-        self.choose(self.chooser.previous_name())
+        self.choose(self.chooser.next_name(is_backwards=True))
 
-    def set_ask_first(self, asks: bool) -> None:
-        """Ask for a prediction before the release, or not; restart an experiment."""
-        self.questions.ask_first = asks
-        self.questions.word = ""
-        if self.chooser.whole_experiment():
-            self.run_again()
+    def set_asks(self, asks: bool) -> None:
+        """Ask the questions of experiments, or not; begin that of now again."""
+        self.asks = asks
+        self.word = ""
+        if self.state != FREE:
+            self.repeats = False
+            self.next_cradle.want()
 
-    def set_ask_seen(self, asks: bool) -> None:
-        """Ask what you have seen, or not, also in this run."""
-        self.questions.ask_seen = asks
-        if not asks:
-            self.questions.leave_seen()
+    def answer(self, key: str, number: int) -> None:
+        """Take an answer (its index) to the question of the experiment with this key.
 
-    def repeat(self, slowly: bool) -> None:
-        """Run the experiment again with the same answer, maybe slowly."""
-        measurement = self.questions.measurement
-        if measurement and measurement.is_over:
-            self.questions.repeat(slowly)
-            self.run_again()
-
-    def run_again(self) -> None:
-        self.playback.is_paused = False
-        self.next_cradle.want()
-
-    def begin(self, motion: Motion) -> None:
-        """Begin with a new cradle of this Motion: ask the question of its experiment, if you want.
-
-        The program may have read another file, with another number of pendula.
+        Do nothing if this question is not asked now, or has no such answer.
         """
-        experiment = self.chooser.whole_experiment()
-        if experiment and len(experiment.poses) != len(motion.cradle.pend_list):
-            experiment = None
-        self.questions.begin(experiment, motion)
-        if self.questions.asking:
-            self.playback.is_paused = False  # so the cradle runs when the question is over
+        if not self.measurement or self.state not in (ASKED, SEEN):
+            return
+        experiment = self.measurement.experiment
+        if experiment.key == key and number < len(experiment.answers):
+            self.replies[self.state] = number
+            self.state = RUNNING if self.state == ASKED else EXPLAINED
+            self.stands = False
+            self.word = ""
+
+    def repeat(self) -> None:
+        """Show the last swing again, slowly."""
+        if self.explained:
+            self.is_slow = True
+            self.word = ""
+            self.repeat_run(stands=False)
+
+    def can_go_on(self) -> bool:
+        """Return whether the cradle waits for no answer; if it does, say so."""
+        if self.stands:
+            self.word = WAITS
+        return not self.stands
+
+    def pause(self) -> None:
+        """Stop the time, or let it go on; leave the hits that wait."""
+        if not self.can_go_on():
+            return
+        self.is_paused = self.is_running()
+        self.end_rest()
+        self.slow_hits.leave()
+
+    def step(self) -> None:
+        """Go on to the next hit with Slow hits; else, while paused, do the ticks of a frame."""
+        if not self.can_go_on():
+            return
+        was_running = self.is_running()
+        self.end_rest()
+        if self.slow_hits.is_on:
+            self.slow_hits.show_next()
+            self.is_paused = False
+        elif not was_running:
+            self.is_paused = True
+            self.plan(round(FRAME * self.speed_now() / self.pace.dt))
+
+    def end_rest(self) -> None:
+        """Let the picture go on after the first swing."""
+        self.holds = False
+        self.rest_end = 0.0
+
+    def set_speed(self, speed: float) -> None:
+        """Let the time go on at this speed, times real time, also if a run is in slow motion."""
+        self.speed = speed
+        self.is_slow = False
+
+    # --- what it shows -------------------------------------------------------------------------
+
+    def ghosts(self, time: float) -> list[dict[int, list[float]]]:
+        """Return the angles (rad) of upper cords that each answer predicts for this time (s).
+
+        From the first hit on until the swing is measured, they grow along a sine, as in a small
+        swing. A bob that does not swing has none.
+        """
+        measurement = self.measurement
+        if not measurement or time <= measurement.hit_time:
+            return []
+        if measurement.is_over and time > measurement.end:
+            return []
+        phase = sqrt(G / measurement.cradle.cords_length) * (time - measurement.hit_time)  # rad
+        part = sin(min(phase, pi / 2))
+        ghosts = []
+        for answer in measurement.experiment.answers:
+            swings = enumerate(answer.swings)
+            ghosts.append({index: [part * radians(swing)] for index, swing in swings if swing})
+        return ghosts
+
+    def largest_swing(self) -> float:
+        """Return the largest angle (rad) that the answers predict, 0 without answers."""
+        answers = self.measurement.experiment.answers if self.measurement else []
+        swings = chain.from_iterable(answer.swings for answer in answers)
+        return radians(max(map(abs, swings), default=0.0))
+
+    def view(self) -> State:
+        """Return what the page must know of the lesson."""
+        return {
+            "paused": self.is_paused,
+            "running": self.is_running(),
+            "word": self.word,
+            "question": self.question(),
+        }
+
+    def question(self) -> dict[str, Any] | None:
+        """Return the question and your replies, and when it is explained, what happened and why."""
+        if not self.measurement:
+            return None
+        experiment = self.measurement.experiment
+        question: dict[str, Any] = {
+            "state": self.state,
+            "key": experiment.key,
+            "question": experiment.question,
+            "answers": [answer.text for answer in experiment.answers],
+            "replies": dict(self.replies),
+        }
+        if self.state == EXPLAINED and self.explained:
+            question["outcome"] = self.explained.outcome()
+            question["why"] = self.explained.explanation()
+        return question

@@ -18,13 +18,13 @@ class Commands(TypedDict):
     pause: Command
     step: Command
     restart: Command
-    reset: Command
     next: Command
     previous: Command
     repeat: Command
     answer: Command  # to the question of an experiment
     check: Command  # the value of what is hidden
     edit: Command
+    save_csv: Command
     grab: Command
     drag: Command
     let_go: Command
@@ -54,7 +54,7 @@ class State(TypedDict, total=False):
     motion: dict[str, str]  # the readout
     summary: str  # the same in a sentence
     bars: dict[str, Any] | None
-    hit: dict[str, Any] | None  # the slow hit of now
+    hits: list[dict[str, Any]]  # the slow hits of this series
     curves: dict[str, Any]  # of the graph
     # The experiments
     pictures: dict[str, list]
@@ -68,18 +68,15 @@ class State(TypedDict, total=False):
     ghosts: str
     mistake_in_ghosts: str
     # The table of the pendula
-    columns: list[str]
-    keys: list[str]
-    table: dict[str, list[float]]
-    refused: dict[str, dict[str, str]]
-    now: dict[str, str]
+    table: list[dict[str, Any]]  # its columns
+    saved_csv: dict[str, float | str]  # what came of the last save_csv
 
 
 class Texts(TypedDict):
     """What stands in the page when it is served: a tab has it also without the program."""
 
     command: str  # that starts this program again
-    terminal: str  # that shows the cradle as text
+    csv: str  # the name of your file
 
 
 COMMANDS = [*Commands.__annotations__]

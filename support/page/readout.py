@@ -1,63 +1,95 @@
-"""The readout: the numbers of the motion, a line each."""
+"""The numbers of the motion: a line each, and bars of the momenta."""
 
-from support.constants import R_PARAM
+from math import inf
+from typing import Any
+
 from support.cradle.motion import Motion, percent_as_text, signed
 from support.cradle.real_time import RealTime
 from support.cradle.stopwatch import Stopwatch
-from support.energy import momentum
 from support.page.ghost_file import GhostFile
+from support.page.graph import SUM, to_css
+from support.page.lesson import Lesson
 from support.page.scene.marks import Marks
 from support.page.scene.slow_hits import SlowHits
 
+DIRECTIONS = {"+": " →", "-": " ←"}
 
-class Readout:
-    """The lines of the readout."""
 
-    def __init__(
-        self,
-        motion: Motion,
-        pace: RealTime,
-        slow_hits: SlowHits,
-        marks: Marks,
-        stopwatch: Stopwatch,
-        ghost_file: GhostFile,
-    ):
-        self.motion = motion
-        self.pace = pace
-        self.slow_hits = slow_hits
-        self.marks = marks
-        self.stopwatch = stopwatch
-        self.ghost_file = ghost_file
+def readout_lines(
+    motion: Motion,
+    pace: RealTime,
+    slow_hits: SlowHits,
+    marks: Marks,
+    stopwatch: Stopwatch,
+    ghost_file: GhostFile,
+) -> dict[str, str]:
+    """Return the text of each line of the readout by its name.
 
-    def lines(self) -> dict[str, str]:
-        """Return the text of each line by its name.
-
-        The energy and the momentum are those after the slow hit that is shown, or of now; they
-        would show what is hidden. A second line of a text is a note, which the page writes small.
-        """
-        pend_list = self.slow_hits.shown_pendula()
-        lines = {"t": f"{self.motion.time():.2f} s\n{self.pace.remark()}"}
-        if not self.motion.cradle.hidden:
-            percent = self.motion.energy_percent(pend_list)
-            p = momentum_as_text(momentum(pend_list, R_PARAM))
-            lines["energy"] = percent_as_text(percent).strip()
-            lines["momentum"] = f"{p}\n{what_changes_momentum(self.motion)}"
-        if self.marks.measures:
-            lines["half swings"] = str(self.stopwatch)
-        return lines | self.ghost_file.ghosts.readout()
+    The energy and the momentum are those after the slow hit that is shown, or of now. A second line
+    of a text is a note, which the page writes small.
+    """
+    pend_list = slow_hits.shown_pendula()
+    p = signed(motion.momenta(pend_list)[-1], motion.momentum_digits)
+    arrow = DIRECTIONS.get(p[0], "")
+    lines = {
+        "t": f"{motion.time():.2f} s\n{pace.remark()}",
+        "energy": percent_as_text(motion.energy_percent(pend_list)).strip(),
+        "horizontal momentum": f"{p} kg m/s{arrow}\n{what_changes_momentum(motion)}",
+    }
+    if marks.measures:
+        lines["half swings"] = str(stopwatch)
+    return lines | ghost_file.readout()
 
 
 def what_changes_momentum(motion: Motion) -> str:
     """Return what changes the momentum of the bobs, and what the hits since the start have done."""
     if not motion.hit_count:
-        return "gravity changes it"
+        return "the cords change it"
     if motion.has_kept_momentum:
-        return "gravity changes it, hits keep it"
-    return "gravity and hits change it"
+        return "the cords change it, hits keep it"
+    return "the cords and hits change it"
 
 
-def momentum_as_text(p: float) -> str:
-    """Return a momentum p (kg m/s) with an arrow in its direction."""
-    if abs(p) < 0.0005:
-        return f"{signed(p)} kg m/s"
-    return f"{signed(p)} kg m/s {'→' if p > 0 else '←'}"
+class Bars:
+    """The bars of now; while the picture rests after a measurement, those after the last hits.
+
+    Most bobs stop for a moment then.
+    """
+
+    def __init__(self, motion: Motion, slow_hits: SlowHits, lesson: Lesson):
+        self.motion = motion
+        self.slow_hits = slow_hits
+        self.lesson = lesson
+        self.is_on = False
+        self.last_hits = -inf  # s: the time of the last hits
+        self.after_hits: list[float] = []  # kg m/s: the momenta after them
+
+    def switch(self, is_on: bool) -> None:
+        """Show the bars, or not."""
+        self.is_on = is_on
+
+    def look(self) -> None:
+        """Keep the momenta of this moment if there were hits since the last look."""
+        if self.motion.last_fast != self.last_hits:
+            self.last_hits = self.motion.last_fast
+            self.after_hits = self.motion.momenta(self.motion.cradle.pend_list)
+
+    def chart(self) -> dict[str, Any] | None:
+        """Return a title, and the bars: one for each pendulum, and one for the sum.
+
+        A bar is a name, a text, a color as CSS has it, and its part of the full length, negative to
+        the left. There is no chart while Momenta is off.
+        """
+        motion = self.motion
+        if not self.is_on:
+            return None
+        title = "Horizontal momentum (kg m/s)"
+        momenta = motion.momenta(self.slow_hits.shown_pendula())
+        if self.lesson.is_resting() and self.last_hits > -inf:
+            title = "Horizontal momentum after the hits (kg m/s)"
+            momenta = self.after_hits
+        names = [*range(1, len(momenta)), "sum"]
+        texts = [signed(p, motion.momentum_digits) for p in momenta]
+        colors = [*map(to_css, motion.cradle.colors()), SUM]
+        parts = [p / motion.most_momentum for p in momenta]
+        return {"title": title, "bars": [*zip(names, texts, colors, parts, strict=True)]}

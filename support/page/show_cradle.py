@@ -14,9 +14,8 @@ from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import PLAYER_FILE, run
 from support.files.cradle_csv import LiveFile, Snapshot
 from support.files.experiments import read_experiment
-from support.files.ghosts import read_ghosts
 from support.files.valid_cradle import read_cradle, with_options
-from support.root import SRC
+from support.page.ghost_file import GhostFile
 from support.start.end import ended_quietly, is_in_session, SignalError
 from support.start.mistake import report_endless_loop
 from support.start.options import (
@@ -57,7 +56,7 @@ def show_page(
     """
     prepare = partial(with_options, options=options)
     live_file = LiveFile(options.csv)
-    ghosts = None
+    ghost_file = GhostFile()
     experiment = None
     server = None
     try:
@@ -65,7 +64,7 @@ def show_page(
         csv = read_cradle(live_file.current, len(angles))
         require_lifted(options.lift, csv)
         if options.ghosts is not None:
-            ghosts = read_ghosts(Snapshot(options.ghosts), cradle.angle_keys)
+            ghost_file.read(Snapshot(options.ghosts))
         if options.experiment is not None:
             experiment = read_experiment(options.experiment, len(angles))
         if options.html is None and options.html_all is None:
@@ -74,7 +73,7 @@ def show_page(
         refuse(error)
     from support.page.viewer import Start  # while the browser starts
 
-    start = Start(prepare(csv), live_file, prepare, angles, options.lift, experiment, ghosts)
+    start = Start(prepare(csv), live_file, prepare, angles, options.lift, ghost_file, experiment)
     if server:
         play(file, cradle, start, server)
         return
@@ -119,8 +118,7 @@ def open_page(options: Namespace) -> "Server":
     from support.page.server.server import Server
 
     again = list2cmdline([sys.executable, *sys.argv])
-    terminal = list2cmdline([sys.executable, str(SRC / "text_cradle_run.py")])
-    texts: Texts = {"command": again, "terminal": terminal}
+    texts: Texts = {"command": again, "csv": Path(options.csv).name}
     server = Server(listen(options.host, options.port), texts)
     print(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:

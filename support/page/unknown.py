@@ -7,12 +7,12 @@ from support.cradle.cradle import Cradle
 from support.page.names import State
 
 EXACT = 0.05  # %: a value that is not so far off is right
-NEAR = 5.0  # %: with a value that is not farther off, the page says how one finds it
+NEAR = 5.0  # %: a value that is not farther off is found
 FAR = 10.0  # %: of a value that is farther off, it says no more, or one guess would tell the value
 
 
 class Unknown:
-    """The value that is hidden in the cradle of now."""
+    """The value that is hidden in the cradle of this run, until it is found."""
 
     def __init__(self, cradle: Cradle):
         self.cradle = cradle
@@ -20,11 +20,15 @@ class Unknown:
 
     def begin(self) -> None:
         """Begin with a new cradle: say nothing."""
+        self.hidden = self.cradle.hidden
         self.word = ""
 
     def check(self, text: str) -> None:
-        """Say by how many percent the value in this text is off; near it, also how one finds it."""
-        hidden = self.cradle.hidden
+        """Say by how many percent the value in this text is off.
+
+        A value that is near it is found: then say it, and how one finds it, and hide it no more.
+        """
+        hidden = self.hidden
         if hidden is None:
             return
         column = CHECKED[hidden.column]
@@ -38,11 +42,13 @@ class Unknown:
             off = 100 * (float(text) / right - 1)  # %
             self.word = f"{text} is {how_far(off)}."
             if abs(off) <= NEAR:
-                self.word += f" {hidden.why}"
+                unit = f" {column.unit}" if column.unit else ""
+                self.word += f" It is {right:g}{unit}. {hidden.why}"
+                self.cradle.hidden = None
 
     def state(self) -> State:
         """Return the question, the name and the unit of the value, and the word about yours."""
-        hidden = self.cradle.hidden
+        hidden = self.hidden
         if hidden is None:
             return {"unknown": None, "checked": ""}
         name = "e" if hidden.column == "e" else f"mass of bob {hidden.rows[0] + 1}"

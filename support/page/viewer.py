@@ -12,21 +12,16 @@ from support.cradle.settings import Settings
 from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.experiments import Experiment
-from support.files.ghosts import Ghosts
 from support.files.source_files import CONSTANTS, LiveSource
 from support.files.valid_cradle import CradleCsv
 from support.page import declarations
-from support.page.bars import Bars
 from support.page.chooser import Chooser
-from support.page.controls import Control
 from support.page.cradle_settings import CradleSettings
 from support.page.ghost_file import GhostFile
-from support.page.graph import Graph, MOST_DRAWN
+from support.page.graph import Graph
 from support.page.lesson import Lesson
 from support.page.names import State
-from support.page.playback import Playback
-from support.page.questions import PREDICTED, Questions
-from support.page.readout import Readout
+from support.page.readout import Bars, readout_lines
 from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
@@ -43,10 +38,11 @@ REFRESH = 0.1  # s between two changes of the state
 SAMPLES_A_SWING = 90  # for the graph, in the time of a small swing
 LOOKS_A_SWING = 1000  # of a measurement, in this time
 YOURS = "your answer"  # above the ghosts of an answer
-MEND = "Mend it, and save the file."
+MEND = "Mend it, and save the file; pytest says more."
+FROM_BEFORE = " The picture is from before."
 ENDED = "The program has come to its end. Restart runs it again."
 NEW_CONSTANTS = "support/constants.py has changed. Start the program again."
-ALSO_AFTER_THE_END = "restart", "reset", "next", "previous"  # commands
+ALSO_AFTER_THE_END = "restart", "next", "previous"  # commands
 UPPER_ONLY = (
     "Only upper bobs collide, and as if nothing hung from them. So each hit changes the energy."
 )
@@ -60,9 +56,8 @@ class Start(NamedTuple):
     prepare: Callable[[CradleCsv], CradleCsv]  # returns a CSV with what the options say
     angles: Sequence[float | None]  # rad: of the release; None keeps that of the program
     lifted: int | None  # bobs
+    ghost_file: GhostFile
     experiment: Experiment | None = None  # of your own, to begin with
-    # Of a file; their angle counts if neither angles nor an experiment say one
-    ghosts: Ghosts | None = None
 
 
 class Viewer(Player):
@@ -92,43 +87,34 @@ class Viewer(Player):
             cradle, self.next_cradle, start.file, start.prepare, start.experiment
         )
         self.cradle_settings = CradleSettings(cradle, self.next_cradle, self.chooser)
-        self.ghost_file = GhostFile(cradle.angle_keys, self.next_cradle, self.cradle_settings)
-        if start.ghosts:
-            says_angle = start.experiment is not None or start.angles[0] is not None
-            self.ghost_file.take(start.ghosts, with_angle=not says_angle)
+        self.ghost_file = start.ghost_file
         # Its motion
-        self.questions = Questions(self.pace.clock)
-        self.slow_hits = SlowHits(cradle)
-        self.playback = Playback(cradle, self.pace, self.questions, self.slow_hits, self.plan)
-        self.lesson = Lesson(self.chooser, self.next_cradle, self.questions, self.playback)
+        self.slow_hits = SlowHits(self.motion)
+        self.lesson = Lesson(self.chooser, self.next_cradle, self.slow_hits, self.pace, self.plan)
         self.unknown = Unknown(cradle)
         self.held_bob = HeldBob(cradle)
         self.stopwatch = Stopwatch()
         # What shows it
         self.scenery = Scenery()
         self.marks = Marks()
-        self.graph = Graph(cradle.angle_keys, cradle.rate_keys, cradle.period)
-        self.readout = Readout(
-            self.motion, self.pace, self.slow_hits, self.marks, self.stopwatch, self.ghost_file
-        )
-        self.bars = Bars(self.motion, self.marks, self.questions)
+        self.graph = Graph(cradle)
+        self.bars = Bars(self.motion, self.slow_hits, self.lesson)
         self.sound = Sound(self.motion)
         # What you can do
-        view_controls = declarations.view_controls(
-            self.lesson, self.questions, self.playback, self.marks, self.slow_hits, self.graph
-        )
-        self.at_first = [(control, control.get()) for control in view_controls]
-        controls = [
-            declarations.experiment_menu(self.chooser, self.lesson),
-            *view_controls,
-            *declarations.cradle_controls(cradle, self.next_cradle, self.cradle_settings),
-        ]
-        self.controls: dict[str, Control] = {control.name: control for control in controls}
-        self.commands = declarations.commands(
-            self.set_control,
-            self.playback,
+        self.controls = declarations.controls(
+            cradle,
+            self.next_cradle,
+            self.chooser,
+            self.cradle_settings,
             self.lesson,
-            self.questions,
+            self.marks,
+            self.bars,
+            self.slow_hits,
+            self.graph,
+        )
+        self.commands = declarations.commands(
+            self.controls,
+            self.lesson,
             self.unknown,
             self.cradle_settings,
             self.ghost_file,
@@ -136,7 +122,6 @@ class Viewer(Player):
             self.drag,
             self.let_go,
             self.next_cradle.want,
-            self.reset,
         )
 
     # --- frames --------------------------------------------------------------------------------
@@ -149,21 +134,17 @@ class Viewer(Player):
             self.carry_out(*self.tabs.commands.get())
         if not self.next_cradle.is_wanted:
             self.look_at_files()
-        if self.chooser.is_changed:
-            if self.questions.asking == PREDICTED:  # what follows would give the answer away
-                self.playback.is_paused = True
-            self.questions.end()
-        self.playback.look_longer()
+        self.lesson.look()
         if self.tabs.are_gone:
             self.is_over = True
             self.planned = 0
         elif self.held_bob.index is not None:
             self.planned = 0  # also of a step
             self.pace.restart()
-        elif self.playback.is_resting() or not self.playback.is_running():
+        elif self.lesson.is_resting() or not self.lesson.is_running():
             self.pace.restart()
         elif not (self.next_cradle.is_wanted or self.planned):
-            self.pace.speed = self.playback.speed_now()
+            self.pace.speed = self.lesson.speed_now()
             self.keep_time()
 
     def look_at_files(self) -> None:
@@ -199,12 +180,6 @@ class Viewer(Player):
             command.do(*values)
             self.next_refresh = 0.0
 
-    def set_control(self, name: str, value: Any) -> None:
-        """Set the control with this name to a value that it takes; else do nothing."""
-        control = self.controls.get(name)
-        if control and control.takes(value):
-            control.set(value)
-
     def progress(self) -> tuple[float, ...]:
         """Return what changes with each run, each tick and each frame."""
         return self.run_count, self.motion.ticks, self.pace.frame_start
@@ -217,7 +192,7 @@ class Viewer(Player):
         if self.held_bob.has_moved:
             self.motion.set_start()  # 100 % is the energy of this moment
             self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
-        self.scenery.keep_in_view([*self.cradle.bobs(), *self.ghosts_in_view()])
+        self.scenery.keep_in_view(bob.pos for bob in self.cradle.bobs())
         self.sound.look()
         if not self.tabs.have_room():
             return
@@ -230,12 +205,10 @@ class Viewer(Player):
     def state_in_step(self) -> State:
         """Draw all but the pendula; return what a tab shows in the same picture."""
         labels = self.marks.show(self.slow_hits, self.ghost_poses())
-        fade = self.slow_hits.fade(self.pace.clock(), self.playback.is_running())
         return {
             "sound": self.sound.state(),
             "view": {
-                **self.scenery.view(has_text_above=self.slow_hits.is_on),
-                "fade": fade,
+                **self.scenery.view(),
                 "labels": [label._asdict() for label in labels],
                 "ghosts": self.marks.answers,
             },
@@ -244,30 +217,27 @@ class Viewer(Player):
     def ghost_poses(self) -> list[GhostPoses]:
         """Return where ghosts are now: those of each answer, or else those of a file."""
         time = self.motion.time()
-        predicted = self.questions.ghosts(time)
+        predicted = self.lesson.ghosts(time)
         if predicted:
             return [GhostPoses(poses, YOURS, answer) for answer, poses in enumerate(predicted)]
-        ghosts = self.ghost_file.ghosts
-        return [GhostPoses(ghosts.poses(time, len(self.cradle.pend_list)), ghosts.name)]
-
-    def ghosts_in_view(self) -> list:
-        """Return the ghosts that a tab shows."""
-        seen = (None, self.questions.replies[PREDICTED])
-        ghosts = zip(self.marks.ghosts, self.marks.answers, strict=True)
-        return [ghost for ghost, answer in ghosts if answer in seen]
+        poses = self.ghost_file.poses(time, len(self.cradle.pend_list))
+        return [GhostPoses(poses, self.ghost_file.name)]
 
     def state(self) -> State:
         """Return what the page shows outside VPython's canvas, all texts plain."""
         said = (*self.remarks, self.cradle.remark(), self.why_no_hits())
         remarks = [remark for remark in said if remark]
+        lines = readout_lines(
+            self.motion, self.pace, self.slow_hits, self.marks, self.stopwatch, self.ghost_file
+        )
         state: State = {
             "title": self.cradle.title,
             "remark": " ".join(remarks),
             "ended": None,
-            "hit": self.slow_hits.state(),
-            "motion": self.readout.lines(),
+            "hits": self.slow_hits.state(),
+            "motion": self.cradle.without_hidden(lines),
             "summary": self.motion.summary(),
-            "bars": self.bars.chart(),
+            "bars": self.bars.chart() if self.cradle.shows("momentum") else None,
             "curves": self.graph.state(self.motion.start_energy),
             "controls": {name: control.description() for name, control in self.controls.items()},
         }
@@ -275,12 +245,10 @@ class Viewer(Player):
             self.chooser,
             self.cradle_settings,
             self.ghost_file,
-            self.playback,
-            self.questions,
             self.unknown,
         ):
             state |= part.state()
-        return state
+        return state | self.lesson.view()
 
     def why_no_hits(self) -> str:
         """Return why Slow hits stay empty, or ""."""
@@ -299,7 +267,12 @@ class Viewer(Player):
         self.tell_of_files()
 
     def own_shapes(self) -> list:
-        return [*self.scenery.frame, *chain(*self.marks.shapes.values())]
+        return [
+            self.scenery.board,
+            self.scenery.ground,
+            *self.scenery.frame,
+            *chain(*self.marks.shapes.values()),
+        ]
 
     def go_on_after(self, error: BaseException | None) -> None:
         """Say why a run has ended, until another one is wanted; the picture stays as it is."""
@@ -309,6 +282,8 @@ class Viewer(Player):
             print(over)
         elif error:
             over, stopped = "", f"{report_mistake(error, PLAYER_FILE).rstrip('.')}. {MEND}"
+            if not self.is_shown:
+                stopped += FROM_BEFORE
             self.has_failed = True
         self.tabs.tell({"title": self.cradle.title, "over": over, "stopped": stopped})
         while not (self.next_cradle.is_wanted or self.tabs.are_gone):
@@ -330,14 +305,17 @@ class Viewer(Player):
         if cradle.cord_count == 2 and cradle.collide_name == "handle_two_bobs":
             self.note(UPPER_ONLY)
         self.held_bob.let_go()
-        self.tabs.begin_run()
+        if not self.lesson.repeats:  # a film has the whole lesson
+            self.tabs.begin_run()
         self.lesson.begin(self.motion)
         self.scenery.surround(
-            cradle.axles(), cradle.bobs(), cradle.cords_length, cradle.values("mass")
+            cradle.axles(),
+            cradle.cords_length,
+            cradle.values("mass"),
+            self.lesson.largest_swing(),
         )
-        self.graph.begin(cradle.colors(), is_hidden=bool(cradle.hidden))
+        self.graph.begin()
         self.unknown.begin()
-        self.bars.begin()
         self.begin_swing()
         self.next_refresh = 0.0
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
@@ -364,9 +342,9 @@ class Viewer(Player):
     def begin_swing(self) -> None:
         """Measure from this moment on: bobs were let go."""
         self.slow_hits.clear()
-        self.marks.surround(self.cradle)
+        self.marks.surround(self.cradle, self.motion.digits)
         self.stopwatch.restart(self.motion.time())
-        self.ghost_file.ghosts.begin()
+        self.ghost_file.begin()
         self.take_sample()
 
     def take_sample(self) -> None:
@@ -374,12 +352,6 @@ class Viewer(Player):
         sample = self.motion.sample()
         self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
         self.bars.look()
-        if self.cradle.hidden:
-            self.graph.add(self.motion.shown_sample())
-            return
-        drawn = self.cradle.pend_list[:MOST_DRAWN]
-        for number, p in enumerate(self.marks.momenta_of(drawn), start=1):
-            sample[f"momentum_{number}"] = p
         self.graph.add(sample)
 
     def looks_at_hits(self) -> bool:
@@ -391,7 +363,7 @@ class Viewer(Player):
         A measurement looks a thousand times a swing.
         """
         longest = super().longest_batch()
-        if self.questions.is_measuring():
+        if self.lesson.is_measuring():
             look = round(self.cradle.period / LOOKS_A_SWING / self.cradle.dt)
             longest = min(longest, max(1, look))
         return longest
@@ -401,20 +373,10 @@ class Viewer(Player):
         super().end_batch()
         # Not in take_sample, which a drag calls again and again.
         if self.motion.ticks % self.step == 0:
-            self.ghost_file.ghosts.compare(self.cradle.pend_list, self.motion.time())
-        if self.questions.measure():
+            self.ghost_file.compare(self.cradle.pend_list, self.motion.time())
+        if self.lesson.measure():
             self.planned = 0
         if self.slow_hits.is_on:
             self.slow_hits.add(self.hits.noted, self.motion.time(), self.motion.fast_speed)
-            if self.slow_hits.waiting:
+            if self.slow_hits.waits():
                 self.planned = 0
-                self.playback.look_longer()  # so the next picture shows the hit
-
-    def reset(self) -> None:
-        """Begin again with your CSV, as the program has started."""
-        for control, value in self.at_first:
-            control.set(value)
-        self.ghost_file.remove()
-        self.next_cradle.separating = False
-        self.playback.is_paused = False
-        self.chooser.choose_first()

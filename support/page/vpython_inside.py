@@ -15,6 +15,9 @@ first when another one comes. The names that the browser uses are in web/glow.js
         baseObj.package(updates)   the changes as cmds and attrs, which glowcomm.html decodes
         _wait                      what waits for an answer of that page
         text, compound, ...        classes whose objects need such an answer, or a place there
+        standardAttributes
+            ._make_trail           whether an object leaves a trail: a constructor and make_trail
+                                   set it
     vpython_libraries              the folder of glow.min.js and glowcomm.html
     vpython_data                   the folder of the textures
 """
@@ -29,7 +32,7 @@ from vpython import baseObj, vector
 from support import simulation
 from support.root import ROOT
 
-NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls"
+NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls", "attach_trail"
 # In glowcomm.html, its own websocket and its fonts are before this.
 SCRIPT = "window.__GSlang ="
 # In glow.min.js: a call without a use, which some sites forbid.
@@ -41,7 +44,8 @@ def draw_without_its_page() -> None:
 
     Its own page, and a server for it, would come with the first object. An object that needs an
     answer of VPython's page, or a place on it, raises a RuntimeError: VPython would wait for ever.
-    rate is that of the program's loop (support/simulation.py). sleep does nothing.
+    So does a trail, which our page cannot draw. rate is that of the program's loop
+    (support/simulation.py). sleep does nothing.
 
     Raises a ModuleNotFoundError for another version.
     """
@@ -55,13 +59,18 @@ def draw_without_its_page() -> None:
 
     def refuse(*_: object, **__: object) -> NoReturn:
         raise RuntimeError(
-            "the page shows VPython's shapes, but no text, compound, extrusion, graph, button "
-            "or the like, and nothing can wait for a click"
+            "the page shows VPython's shapes, but no trail, text, compound, extrusion, graph, "
+            "button or the like, and nothing can wait for a click"
         )
+
+    def refuse_trail(_: object, makes_trail: bool) -> None:
+        if makes_trail:
+            refuse()
 
     for name in NEED_ITS_PAGE:
         getattr(vpython, name).__new__ = refuse
     vpython._wait = refuse  # type: ignore[attr-defined]
+    vpython.standardAttributes._make_trail = property(lambda _: False, refuse_trail)
     package: Any = import_module("vpython")
     package.rate = simulation.rate
     package.sleep = lambda *_: None

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from support.cradle.cradle import Cradle
-from support.cradle.motion import Motion, percent_as_text
+from support.cradle.motion import Motion, percent_as_text, Sample
 from support.cradle.player import Player, run
 from support.cradle.settings import Settings
 from support.files.data_file import whole_file
@@ -25,7 +25,7 @@ ANGLES = "   angle of each bob (degrees, positive to the right)"
 
 def heading(motion: Motion) -> str:
     """Return the line above the columns of line_of."""
-    energy = "" if motion.cradle.hidden else ENERGY
+    energy = ENERGY if motion.cradle.shows("energy") else ""
     return TIME + energy + ANGLES
 
 
@@ -35,7 +35,7 @@ def line_of(motion: Motion) -> str:
     While a value is hidden, there is no energy.
     """
     energy = ""
-    if not motion.cradle.hidden:
+    if motion.cradle.shows("energy"):
         energy = percent_as_text(motion.energy_percent()).rjust(len(ENERGY))
     angles = []
     for theta in motion.cradle.values("theta"):
@@ -103,7 +103,7 @@ class DataRecorder(Player):
         self.progress = progress
 
     def show_new_cradle(self) -> None:
-        self.writer.writerow(self.motion.shown_sample())  # its names
+        self.writer.writerow(self.shown_sample())  # its names
         self.take_sample()
 
     def frame(self) -> None:
@@ -114,7 +114,10 @@ class DataRecorder(Player):
         self.plan(min(TICKS_A_FRAME, self.last - self.motion.ticks))
 
     def take_sample(self) -> None:
-        self.writer.writerow(self.motion.shown_sample().values())
+        self.writer.writerow(self.shown_sample().values())
+
+    def shown_sample(self) -> Sample:
+        return self.cradle.without_hidden(self.motion.sample())
 
 
 def show(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -> None:

@@ -1,9 +1,11 @@
 """The pages of the programs in real browsers: how the tests open, read and operate them."""
 
+import json
 import re
 import shutil
 from contextlib import contextmanager
 from math import atan2, cos, degrees, radians, sin
+from pathlib import Path
 
 import pytest
 from programs import SECONDS, wait_until
@@ -34,53 +36,9 @@ ARGUMENTS = [
     "--disable-sync",
 ]
 
-# Before the page's own scripts: make the canvas small, because no graphics card draws it.
-SMALL = """addEventListener("DOMContentLoaded", () => {
-    document.head.insertAdjacentHTML("beforeend", `<style id=small>
-        .canvas { max-width: 320px !important; max-height: 200px !important; }
-    </style>`);
-})"""
-
-# The page's scripts are modules, which have nothing global: the tests get all that these export as
-# globals, with the present values.
-MODULES = "camera", "colors", "glow", "light", "mouse", "page", "present", "program"
-GIVE_NAMES = """addEventListener("DOMContentLoaded", () => {
-    if (!document.querySelector("[type=importmap]")) return;
-    const script = document.createElement("script");
-    script.type = "module";
-    script.textContent = MODULES.map(name => `
-        import * as ${name} from "${name}";
-        Object.assign(window, ${name});
-    `).join("");
-    document.head.append(script);
-    script.remove(); // it runs all the same; a page that is saved is without it
-})""".replace("MODULES", str([*MODULES]))
-
-# The bobs' positions, as the page has them.
-BOBS = """() => glowObjs.filter(o => o && o.constructor.name === 'sphere' && o.visible)
-    .map(o => [o.pos.x, o.pos.y])"""
-
-# Whether the bobs are elsewhere a third of a second later.
-MOVES = f"""async () => {{
-    const where = () => JSON.stringify(({BOBS})()), before = where();
-    await new Promise(resolve => setTimeout(resolve, 333));
-    return where() !== before;
-}}"""
-
-# Where a point of the plane of swing is seen: pixels in the window.
-PIXEL = """([x, y]) => {
-    const scene = glowObjs[0], forward = scene.forward.norm();
-    const sideways = forward.cross(scene.up).norm(), upwards = sideways.cross(forward);
-    const arm = vec(x, y, 0).sub(scene.center);
-    const distance = scene.range / Math.tan(scene.fov / 2);
-    const canvas = document.querySelector(".canvas").getBoundingClientRect();
-    const { width, height } = canvas, half = Math.min(width, height) / 2;
-    const pixels = half / scene.range * distance / (distance + arm.dot(forward));
-    return [
-        canvas.x + width / 2 + pixels * arm.dot(sideways),
-        canvas.y + height / 2 - pixels * arm.dot(upwards),
-    ];
-}"""
+FOLDER = Path(__file__).parent
+BEFORE_PAGE = FOLDER / "before_page.js"
+TOOLS = [(FOLDER / name).read_text() for name in ["page_tools.js", "layout_rules.js"]]
 
 
 @contextmanager
@@ -88,8 +46,8 @@ def new_page(browser, **settings):
     """Open a new tab in this browser, with Playwright's settings, and close it in the end."""
     page = browser.new_page(viewport={"width": 1000, "height": 700}, **settings)
     page.set_default_timeout(SECONDS * 1000)
-    page.add_init_script(SMALL)
-    page.add_init_script(GIVE_NAMES)
+    page.add_init_script(f"window.tools = {json.dumps(TOOLS)}")
+    page.add_init_script(path=BEFORE_PAGE)
     yield page
     page.close()
 
@@ -105,15 +63,15 @@ def wait_for_cradle(page, bobs=5):
 
     Only a test of the picture has it drawn.
     """
-    page.wait_for_function(f"() => window.scene && ({BOBS})().length === {bobs}")
+    page.wait_for_function(f"window.positions?.().length === {bobs}")
     draw(page, False)
-    page.wait_for_function("() => scene().width === $('.canvas').width() * devicePixelRatio")
+    page.wait_for_function("scene().width === $('.canvas').width() * devicePixelRatio")
 
 
 def draw(page, drawn):
     """Have the browser draw the canvas, or not.
 
-    Without a graphics card it takes most of the time.
+    Without a graphics card it takes most of the time. It works on VPython's own page, too.
     """
     frames = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))"
     page.evaluate(f"drawn => {{ glowObjs[0].visible = drawn; return {frames}; }}", drawn)
@@ -138,17 +96,22 @@ def axle(bob):
 def bob_angles(page):
     """Return the angles of the bobs in degrees."""
     angles = []
-    for bob, (x, y) in enumerate(page.evaluate(BOBS)):
+    for bob, (x, y) in enumerate(page.evaluate("positions()")):
         axle_x, axle_y = axle(bob)
         angles.append(degrees(atan2(x - axle_x, axle_y - y)))
     return angles
+
+
+def plane_pixel(page, x, y):
+    """Return where a point of the plane of swing (m) is seen: pixels in the window."""
+    return page.evaluate("place => pixel(place)", [x, y])
 
 
 def pixel(page, bob, theta):
     """Return where this bob's centre is seen if its cord is at theta (degrees)."""
     x, y = axle(bob)
     angle = radians(theta)
-    return page.evaluate(PIXEL, [x + R_PARAM * sin(angle), y - R_PARAM * cos(angle)])
+    return plane_pixel(page, x + R_PARAM * sin(angle), y - R_PARAM * cos(angle))
 
 
 def drag(page, bob, *thetas):
@@ -163,8 +126,17 @@ def wait_for_angles(page, *expected):
     wait_until(lambda: bob_angles(page) == pytest.approx(expected, abs=0.01))
 
 
+def wait_for_throw(page):
+    """Wait until a bob is on the right of all axles: only a hit brings it that far.
+
+    Also on VPython's own page.
+    """
+    is_far = f"shape?.constructor.name === 'sphere' && shape.pos.x > {-0.1 + 5 / 4 * R_PARAM}"
+    page.wait_for_function(f"window.glowObjs?.some(shape => {is_far})")
+
+
 def wait_for_moves(page):
-    wait_until(lambda: page.evaluate(MOVES))
+    wait_until(lambda: page.evaluate("moves()"))
 
 
 def wait_for_rest(page):
@@ -172,7 +144,7 @@ def wait_for_rest(page):
 
     A click, or a picture of before, can still be on its way.
     """
-    wait_until(lambda: not page.evaluate(MOVES))
+    wait_until(lambda: not page.evaluate("moves()"))
 
 
 def button(page, name):

@@ -12,6 +12,7 @@ from whole_cradles import checked, go_on, thetas
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
 from support.files.cradle_csv import LiveFile, POLL
+from support.page.ghost_file import GhostFile
 from support.page.viewer import Start, Viewer
 
 
@@ -43,6 +44,7 @@ class Rig:
                 lambda csv: csv,
                 thetas(angles or [30]),
                 lifted,
+                GhostFile(),
             ),
             self.tabs,
             RealTime(kind.dt, self.clock, sleep=lambda seconds: None),

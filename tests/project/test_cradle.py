@@ -3,6 +3,7 @@
 import re
 from collections import defaultdict
 from itertools import chain
+from math import inf
 
 import pytest
 from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, PERIOD, thetas
@@ -13,6 +14,7 @@ from support.constants import DOUBLE_DT, G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import COPY_WRITTEN
+from support.page.scene.slow_hits import MOST, SlowHits
 from support.pendulum import BUFFER, outwards_to_angle
 from support.start.mistake import MistakeError
 
@@ -81,7 +83,7 @@ def test_a_reload_takes_the_old_shapes_and_hides_the_rest(swing, monkeypatch):
 def test_ticks_are_those_of_the_handout_and_the_hits_are_noted(swing, kind):
     """Here, separating bobs collide, too: with e below 1, that is another motion."""
     player = swing(kind=kind, e=0.8)
-    player.next_cradle.separating = True
+    player.next_cradle.settings = player.next_cradle.settings._replace(separating=True)
     ticks = round(0.4 * PERIOD / kind.dt)
     player.swing(ticks)
     same = swing(kind=kind, e=0.8)
@@ -120,7 +122,7 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     Bobs that move apart hit with a speed below 0.
     """
     player = swing(HEADER + GOOD * 3, lift=0)
-    player.next_cradle.separating = True
+    player.next_cradle.settings = player.next_cradle.settings._replace(separating=True)
     cradle = player.cradle
     for bob in cradle.bobs():
         bob.radius *= 1.01
@@ -141,6 +143,16 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     away, apart = [2, 0, 0, 2], [0, 2, 2, 0]
     for hit, omegas in zip(hits, (away, away, apart, apart), strict=True):
         assert [pend["omega"] for pend in hit.before + hit.after] == omegas
+
+    # The page shows the calls as they were, all bobs as after each, and only the last of many
+    slow_hits = SlowHits(player.motion)
+    slow_hits.add(hits, 0, -inf)
+    assert [pend["omega"] for pend in slow_hits.shown_pendula()] == [0, 2, 0]
+    slow_hits.add(hits * 98, 0, -inf)
+    slow_hits.leave()
+    *_, hit, _ = slow_hits.state()
+    assert hit["call"] == "395. handle_two_bobs(pend_list[2], pend2=pend_list[1], r_param=0.2)"
+    assert len(slow_hits.series) == MOST
 
 
 @pytest.mark.parametrize(

@@ -1,104 +1,77 @@
-"""Which numbers the graph shows, at which times, and in which colors."""
+"""Which curves the graph shows, at which times, and in which colors."""
 
-from math import cos, degrees
+from math import degrees
 
 import pytest
 from rig import Rig
 from whole_cradles import GOOD, HEADER, PERIOD
 
 from support.constants import R_PARAM
-from support.page.graph import ENERGIES, ENERGY, MOMENTA, MOST_DRAWN, NOTHING, SWINGS
+from support.cradle.double_cradle import DoubleCradle
+from support.page.graph import ENERGIES, MOST_DRAWN, SUM, SWINGS
 from support.page.viewer import SAMPLES_A_SWING
 
-ANGLES = "Angles theta"
-# Of the bobs, as a page has them
-RED = "rgb(255, 0, 0)"
-CYAN = "rgb(0, 255, 255)"
-BLACK = "rgb(0, 0, 0)"
+BOBS = {1: "rgb(255, 0, 0)", 2: "rgb(0, 255, 255)"}  # red and cyan
 
 
-def test_the_graph_shows_the_energies_of_the_last_swings(rig):
-    """In percent."""
-    rig.wait((SWINGS + 1) * PERIOD)
-    curves = rig.state["curves"]
-    drawn = {curve["label"]: curve["color"] for curve in curves["curves"]}
-    assert drawn == ENERGIES
-    assert curves["to"] - curves["from"] == pytest.approx(SWINGS * PERIOD)
-    for _, kinetic, potential, total in curves["rows"]:
-        assert kinetic + potential == pytest.approx(total, abs=1e-5)
-        assert total == pytest.approx(100, abs=0.1)
+def test_each_graph_has_its_axes_its_colors_and_its_numbers(csv):
+    """The last point of the last curve: of the sum, or of the second pendulum."""
+    csv.write_text(HEADER + GOOD + GOOD.replace("red", "cyan"))
+    rig = Rig(csv, 30, 20, kind=DoubleCradle)
+    rig.wait(0.7 * PERIOD)  # until all bobs move
+    rig.viewer.take_sample()
+    t = rig.viewer.motion.time()
+    p = rig.cradle.momentum()
+    second = rig.cradle.pend_list[1]
+    theta, omega, phi, phi_omega = [
+        degrees(second[key]) for key in ("theta", "omega", "phi", "phi_omega")
+    ]
+    expected = {
+        "Momenta": ("horizontal momentum (kg m/s) over t (s)", (t, p), BOBS | {"sum": SUM}),
+        "Energies": ("energy (%) over t (s)", (t, 100), ENERGIES),
+        "Angles theta": ("theta (degrees) over t (s)", (t, theta), BOBS),
+        "Velocities omega": ("omega (degrees/s) over t (s)", (t, omega), BOBS),
+        "Phase theta": ("omega (degrees/s) over theta (degrees)", (theta, omega), BOBS),
+        "Angles phi": ("phi (degrees) over t (s)", (t, phi), BOBS),
+        "Velocities phi_omega": ("phi_omega (degrees/s) over t (s)", (t, phi_omega), BOBS),
+        "Phase phi": ("phi_omega (degrees/s) over phi (degrees)", (phi, phi_omega), BOBS),
+    }
+    assert rig.state["graph"] == "Momenta"
+    assert rig.control("graph")["choices"] == [*expected]
+    for name, (axes, point, colors) in expected.items():
+        rig.give("graph", name)
+        graph = rig.state["curves"]
+        assert graph["axes"] == axes
+        assert {label: color for label, _, _, color in graph["curves"]} == colors
+        last = [graph["columns"][name][-1] for name in graph["curves"][-1][1:3]]
+        assert last == pytest.approx(point, abs=0.01)
+        assert graph.get("bottom") == (0 if name == "Energies" else None)
 
 
-@pytest.mark.parametrize("factor", [0.25, 100])
-def test_the_time_axis_is_full_and_follows_the_swing(csv, monkeypatch, factor):
-    """With other cords, a swing has as many points."""
-    monkeypatch.setattr("support.cradle.cradle.R_PARAM", factor * R_PARAM)
+def test_a_graph_shows_the_last_swings_whatever_the_cord(csv, monkeypatch):
+    """With as many points in a swing. Energies are recorded while another graph is shown."""
+    monkeypatch.setattr("support.cradle.cradle.R_PARAM", R_PARAM / 4)
     rig = Rig(csv)
-    assert rig.cradle.period == pytest.approx(factor**0.5 * PERIOD)
-    rig.wait((SWINGS + 0.5) * rig.cradle.period)
-    curves = rig.state["curves"]
-    times = [row[0] for row in curves["rows"]]
-    assert times[0] - curves["from"] < 2 * rig.cradle.period / SAMPLES_A_SWING
-    assert times[-1] == pytest.approx(curves["to"])
+    span = SWINGS * PERIOD / 2
+    assert rig.state["curves"]["to"] == pytest.approx(span)
+    rig.wait(1.2 * span)
+    rig.give("graph", "Energies")
+    graph = rig.state["curves"]
+    times = graph["columns"]["t"]
+    assert [times[0], times[-1]] == pytest.approx([graph["from"], graph["to"]], abs=span / 100)
+    assert graph["to"] - graph["from"] == pytest.approx(span)
     assert len(times) == pytest.approx(SWINGS * SAMPLES_A_SWING, rel=0.03)
+    rig.give("restart")
+    assert rig.state["curves"]["columns"]["t"] == [0]
 
 
-@pytest.mark.parametrize(
-    ("choice", "x", "y", "curves"),
-    [
-        (MOMENTA, "t (s)", "momentum (kg m/s)", {"1": RED, "2": CYAN, "sum": BLACK}),
-        (ANGLES, "t (s)", "theta (degrees)", {"1": RED, "2": CYAN}),
-        ("Phase 2", "theta (degrees)", "omega (degrees/s)", {"": CYAN}),
-    ],
-)
-def test_a_graph_is_drawn_in_the_colors_of_the_bobs(rig, choice, x, y, curves):
-    rig.save(HEADER + GOOD + GOOD.replace("red", "cyan"))
-    rig.give("graph", choice)
-    rig.wait(0.5)
+def test_a_new_cradle_keeps_the_chosen_graph_and_numbers_without_end_are_left_out(rig):
+    rig.give("graph", "Energies")
+    rig.save(HEADER + GOOD * (MOST_DRAWN + 3))
+    assert rig.state["graph"] == "Energies"
+    rig.cradle.pend_list[0]["omega"] = 1e154
     rig.viewer.take_sample()
     rig.wait()
-    graph = rig.state["curves"]
-    assert graph["x"] == x
-    assert graph["y"] == y
-    assert {curve["label"]: curve["color"] for curve in graph["curves"]} == curves
-    thetas = rig.thetas()
-    omegas = rig.values("omega")
-    time = rig.viewer.motion.time()
-    momenta = [R_PARAM * omega * cos(theta) for theta, omega in zip(thetas, omegas, strict=True)]
-    moments = {
-        MOMENTA: [time, *momenta, sum(momenta)],  # of bobs of 1 kg, to the right
-        ANGLES: [time, *map(degrees, thetas)],
-        "Phase 2": [degrees(thetas[1]), degrees(omegas[1])],
-    }
-    assert graph["rows"][-1] == pytest.approx(moments[choice], abs=1e-6)
-
-
-def test_the_phase_picture_has_rest_in_its_middle_and_an_end(rig):
-    rig.give("graph", "Phase 1")
-    rig.wait(PERIOD)
-    graph = rig.state["curves"]
-    for first, last, column in (("from", "to", 0), ("bottom", "top", 1)):
-        farthest = max(abs(row[column]) for row in graph["rows"])
-        assert graph[first] == -graph[last] == pytest.approx(-1.05 * farthest)
-
-
-def test_a_new_cradle_keeps_the_chosen_graph_if_it_can(rig):
-    rig.give("graph", ANGLES)
-    rig.save(HEADER + GOOD * (MOST_DRAWN + 3))
-    assert rig.state["graph"] == ANGLES
+    assert rig.state["curves"]["columns"]["total"][-1] is None
+    rig.give("graph", "Angles theta")
     assert len(rig.state["curves"]["curves"]) == MOST_DRAWN
-    rig.give("graph", "Phase 7")
-    rig.save(HEADER + GOOD * 2)
-    assert rig.state["graph"] == ENERGY
-
-
-def test_no_graph_sends_nothing_and_a_restart_empties_it(rig):
-    rig.give("graph", NOTHING)
-    rig.wait(PERIOD)
-    assert not rig.state["curves"]["curves"]
-    assert not rig.state["curves"]["rows"]
-    rig.give("graph", ENERGY)
-    # It shows what was recorded meanwhile
-    assert len(rig.state["curves"]["rows"]) == pytest.approx(SAMPLES_A_SWING, abs=2)
-    rig.give("restart")
-    assert len(rig.state["curves"]["rows"]) == 1

@@ -3,12 +3,11 @@
 import socket
 
 import pytest
-from pages import BOBS
+from pages import wait_for_throw
 from programs import end, running, wait_until
 from students import change
 
 from support import simulation
-from support.constants import R_PARAM
 
 HEAD = """
 from support.simulation import is_running, rate
@@ -77,8 +76,7 @@ def test_with_rate_the_program_throws_the_last_bob_out_on_bare_vpython(page, pro
     with running(program, VPYTHON_HTTP_PORT=str(port)) as process:
         wait_until(lambda: is_open(port))
         page.goto(f"http://localhost:{port}")
-        farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"
-        page.wait_for_function(f"() => {farthest} > {-0.1 + 5 / 4 * R_PARAM}")
+        wait_for_throw(page)
         page.close()
         status, stdout, _ = end(process)  # VPython's own server may print an error
         assert (status, stdout) == (0, "")

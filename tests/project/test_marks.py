@@ -6,7 +6,7 @@ from math import atan2, degrees, sqrt
 import pytest
 from rig import Rig
 from vpython import diff_angle, vector
-from whole_cradles import distances, GOOD, HEADER, PERIOD, velocities
+from whole_cradles import GOOD, HEADER, PERIOD, velocities
 
 from support.constants import R_PARAM
 from support.cradle.cradle import Cradle
@@ -14,7 +14,6 @@ from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.energy import momentum
 from support.page.scene.marks import ARROW_TIME, LONGEST_ARROW
-from support.page.scene.slow_hits import CAPTION, EACH, PINK, VELOCITY, WITH_MASS
 
 
 def visible(rig, name):
@@ -22,10 +21,11 @@ def visible(rig, name):
 
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
-def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(csv, kind):
+def test_arrows_show_velocities_and_bars_horizontal_momenta(csv, kind):
     """Also for a later cradle."""
     rig = Rig(csv, *[30] * kind.cord_count, kind=kind)
     rig.give("arrows", True)
+    rig.give("momenta", True)
     rig.save(HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD)
     rig.give("restart")
     rig.wait(0.15)  # the first pendulum is on its way to the second one
@@ -33,28 +33,25 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
     arrows = visible(rig, "arrows")
     moves = velocities(cradle.pend_list[0])
     assert len(arrows) == len(moves)
-    assert pytest.approx(PERIOD / 9) == ARROW_TIME
+    assert pytest.approx(PERIOD / 20) == ARROW_TIME
     for arrow, bob, velocity in zip(arrows, cradle.bobs(), moves, strict=False):
         assert arrow.pos.x == bob.pos.x
         assert arrow.axis.value == pytest.approx((ARROW_TIME * velocity).value)
 
     # A full bar is the most momentum that all masses M can have with the energy E, sqrt(2 M E)
-    mass = 4.0 * kind.cord_count
-    largest = sqrt(2 * mass * sum(cradle.energies()))
-    first, second = [momentum([pend], R_PARAM) for pend in cradle.pend_list]
-    assert rig.state["bars"]["title"] == "Momentum (kg m/s)"
-    bars = rig.state["bars"]["bars"]
-    assert [bar["name"] for bar in bars] == ["1", "2", "sum"]
-    assert bars[0]["color"] == "rgb(0, 0, 255)"
-    for bar, p in zip(bars, (first, second, first + second), strict=True):
-        assert bar["part"] == pytest.approx(p / largest, abs=0.002)
-        assert float(bar["text"]) == pytest.approx(p, abs=0.001)
+    largest = sqrt(2 * 4.0 * kind.cord_count * sum(cradle.energies()))
+    p = 3.0 * sum(velocity.x for velocity in moves)
+    chart = rig.state["bars"]
+    assert chart["title"] == "Horizontal momentum (kg m/s)"
+    bar = [f"{p:+.2f}", "rgb(0, 0, 255)", pytest.approx(p / largest, abs=0.001)]
+    assert chart["bars"][0] == [1, *bar]
+    assert [text for _, text, *_ in chart["bars"]] == [bar[0], "0.00", bar[0]]
     rig.wait(2 * PERIOD)
-    assert rig.viewer.marks.largest == pytest.approx(largest, rel=0.001)  # one scale, all the time
-    caption = rig.state["motion"]["momentum"].partition("\n")[2]  # what was seen of the hits
+    caption = rig.state["motion"]["horizontal momentum"]  # what was seen of the hits
     assert ("hits keep it" in caption) == (kind is Cradle)
 
-    rig.give("arrows", False)
+    for name in ("arrows", "momenta"):
+        rig.give(name, False)
     assert visible(rig, "arrows") == []
     assert rig.state["bars"] is None
 
@@ -62,8 +59,8 @@ def test_arrows_show_the_velocities_of_the_bobs_that_move_and_bars_all_momenta(c
 def test_masses_that_differ_are_below_the_bobs_and_heavier_bobs_have_wider_belts(rig):
     assert rig.state["view"]["labels"] == []
     assert visible(rig, "belts") == []
-    rig.give("edit", 0, "mass", "3.375")
-    rig.give("edit", 1, "mass", "8")
+    rig.give("edit", 0, "mass", 3.375)
+    rig.give("edit", 1, "mass", 8)
     labels = rig.state["view"]["labels"]
     assert [label["text"] for label in labels] == ["3.375 kg", "8 kg", *["1 kg"] * 3]
     bobs = rig.cradle.bobs()
@@ -123,72 +120,65 @@ def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
     assert "half swings" not in rig.state["motion"]
 
 
-def test_slow_hits_show_each_pair_in_the_order_of_the_calls_and_then_the_swing_goes_on(csv):
-    """With its speeds, rings, equal and opposite changes of momentum, and the arrows after it."""
-    rig = Rig(csv, 45, lifted=2)
+# --- slow hits ------------------------------------------------------------------------------
+
+
+def wait_for_hit(rig):
+    """Wait for a hit; return the rows of its two pendula in the table."""
+    while not rig.viewer.slow_hits.waits():
+        rig.wait(FRAME)
+    return rig.state["hits"][-1]["bobs"]
+
+
+def test_each_hit_waits_in_the_order_of_the_calls(rig):
+    """With rings, equal and opposite changes of momentum, and the arrows after the hit."""
     rig.give("slow_hits", True)
     rig.give("arrows", True)
-    rig.wait(PERIOD / 4 + EACH / 4)
-    moving = {1, 2}
-    for number, (left, right) in enumerate([(2, 3), (1, 2), (3, 4), (2, 3), (4, 5), (3, 4)], 1):
-        assert rig.state["hit"] == {
-            "rows": [
-                [f"Hit {number}", VELOCITY, *WITH_MASS],
-                [f"bob {left}", "+1.07 → +0.00", "-1.072", "0.575 → 0.000"],
-                [f"bob {right}", "+0.00 → +1.07", "+1.072", "0.000 → 0.575"],
-            ],
-            "caption": PINK + CAPTION,
-        }
+    rig.give("lifted", 2)
+    moving = {0, 1}
+    for left in (1, 0, 2, 1, 3, 2):
+        assert [int(bob["no."]) - 1 for bob in wait_for_hit(rig)] == [left, left + 1]
         places = [bob.pos.x for bob in rig.cradle.bobs()]
-        rings = visible(rig, "rings")
-        assert [ring.pos.x for ring in rings] == places[left - 1 : right]
-        assert min(ring.pos.z for ring in rings) >= rig.cradle.bobs()[0].radius  # in front
-        leftwards, rightwards = [change.axis.x for change in visible(rig, "changes")]
-        assert leftwards == pytest.approx(-rightwards)
-        # From 45 degrees; two such bobs have the largest momentum
-        assert rightwards == pytest.approx(LONGEST_ARROW * R_PARAM / 2, rel=0.01)
-        assert 0.7 < rig.state["view"]["fade"] < 0.9
-        moving.remove(left)
-        moving.add(right)
+        assert [ring.pos.x for ring in visible(rig, "rings")] == places[left : left + 2]
+        moving ^= {left, left + 1}
         arrows = [arrow.pos.x for arrow in visible(rig, "arrows")]
-        assert arrows == [places[bob - 1] for bob in sorted(moving)]
-        assert distances(rig.cradle.pend_list[left - 1 : right])[0] <= 1  # they touch
-        ticks = rig.viewer.motion.ticks  # the time holds until the last hit
-        for _ in range(round(EACH / FRAME)):
-            rig.wait(FRAME)
-            assert rig.state["hit"] or number == 6  # one comes at once after the other
-    assert rig.state["hit"] is None
-    assert not visible(rig, "rings")
-    assert not visible(rig, "changes")
-    assert rig.viewer.motion.ticks > ticks
-
-
-def test_the_numbers_are_those_of_the_hit_that_is_shown(rig):
-    """After a hit with e = 0.9, a bob keeps 0.05 of its speed; the other one gets 0.95 of it."""
-    rig.give("slow_hits", True)
-    rig.give("e", 0.9)
-    while rig.state["hit"] is None:
-        rig.wait(FRAME)
-    for energy in ("90.5 %", "81.9 %"):  # 0.05^2 + 0.95^2, then 0.05^2 + 0.95^2 of 0.95^2
-        assert rig.state["motion"]["energy"] == energy
-        rig.wait(1.1 * EACH)
-
-
-def test_a_step_goes_on_to_the_next_of_the_slow_hits(rig):
-    """Also if a step has brought the first of them. Meanwhile, a hit stays."""
-    rig.give("slow_hits", True)
-    rig.wait(0.2)
-    rig.give("pause")
-    while rig.state["hit"] is None:
+        assert arrows == [places[bob] for bob in sorted(moving)]
+        backwards, forwards = [arrow.axis.x for arrow in visible(rig, "changes")]
+        # Two such bobs have the largest momentum
+        assert forwards == pytest.approx(LONGEST_ARROW * R_PARAM / 2, rel=0.01)
+        assert backwards == pytest.approx(-forwards)
+        time = rig.time()
+        rig.wait(1)
+        assert rig.time() == time
         rig.give("step")
-    for number in (1, 2, 3):
-        rig.wait(1.1 * EACH)
-        assert rig.state["hit"]["rows"][0][0] == f"Hit {number}"
-        assert rig.state["view"]["fade"] == 1
+
+
+def test_run_takes_the_rest_into_the_table_and_goes_on_to_the_next_series(rig):
+    """Step goes to a first hit, also while paused. While you drag a bob, there is no hit."""
+    rig.give("slow_hits", True)
+    for left in "14":
+        rig.give("pause")
         rig.give("step")
+        assert wait_for_hit(rig)[0]["no."] == left
+        assert [hit["now"] for hit in rig.state["hits"]] == [True]
+        rig.give("pause")
+        rig.wait(PERIOD / 8)
+        assert [hit["now"] for hit in rig.state["hits"]] == [False] * 4
+        assert not visible(rig, "rings")
+    wait_for_hit(rig)
     rig.mouse("grab", rig.cradle.bobs()[4].pos)
     rig.mouse("drag", rig.cradle.axles()[4].pos + vector(1, 0, 0))
-    assert rig.state["hit"] is None
+    assert rig.state["hits"] == []
+
+
+def test_the_table_has_both_rates_of_double_pendula_and_the_momentum_of_their_bobs(csv):
+    rig = Rig(csv, 30, 20, kind=DoubleCradle)
+    rig.give("slow_hits", True)
+    left, _ = wait_for_hit(rig)
+    pend = rig.viewer.slow_hits.shown_pendula()[0]
+    v, p = rig.cradle.velocity(pend), momentum([pend], R_PARAM)
+    after = [float(text.split()[-1]) for text in left.values()]
+    assert after == pytest.approx([1, pend["omega"], pend["phi_omega"], v, p], abs=0.006)
 
 
 def test_slow_hits_say_why_they_are_empty(csv, write):
@@ -260,8 +250,8 @@ def test_while_paused_the_graph_ends_at_the_energy_of_a_bob_that_was_dragged(rig
         rig.tell("let_go")
     rig.wait()
     assert rig.bob_angles()[4] == 45
-    [(_, _, _, total)] = rig.state["curves"]["rows"]  # one row for this time
-    assert total == pytest.approx(100)
+    rig.give("graph", "Energies")
+    assert rig.state["curves"]["columns"]["total"] == [100]
 
 
 @pytest.mark.parametrize(

@@ -138,7 +138,7 @@ def test_a_program_with_a_mistake_ends_with_its_page(page, project):
     change(*MISTAKES["late"][:3])
     with running(project / VISUALIZE_FILE) as process:
         page.goto(first_lines(process))
-        page.get_by_text("Mend it, and save the file.").wait_for()
+        page.get_by_text("Mend it, and save the file").wait_for()
         page.close()
         status, _, stderr = end(process)
     check_end(status, stderr, "late")

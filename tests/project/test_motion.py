@@ -4,12 +4,13 @@ from math import radians
 
 import pytest
 from vpython import cylinder, mag2
-from whole_cradles import PERIOD, velocities
+from whole_cradles import GOOD, HEADER, PERIOD, velocities
 
 from grading.cradles import MIXED_CSV
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
+from support.cradle.motion import digits_for, signed
 
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
@@ -18,22 +19,20 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(swing, kind):
     player = swing(MIXED_CSV, kind=kind)
     ticks = round(PERIOD / kind.dt)  # until all bobs move
     player.swing(ticks)
-    expected = {"t": ticks * kind.dt}
     pend_list = player.cradle.pend_list
+    expected = {"t": ticks * kind.dt}
     for key in (*kind.angle_keys, *kind.rate_keys):
         for i, pend in enumerate(pend_list, start=1):
             expected[f"{key}_{i}"] = pend[key]
-    kinetic, potential, momentum = 0.0, 0.0, 0.0
+    kinetic = potential = momentum = 0.0
     for pend in pend_list:
         axle, *bobs = (part.pos.y for part in pend["objects"] if type(part) is not cylinder)
         for cords, (y, v) in enumerate(zip(bobs, velocities(pend), strict=True), start=1):
             kinetic += pend["mass"] * mag2(v) / 2
             potential += pend["mass"] * G * (y - axle + cords * R_PARAM)
             momentum += pend["mass"] * v.x
-    expected["kinetic"] = kinetic
-    expected["potential"] = potential
-    expected["total"] = kinetic + potential
-    expected["momentum"] = momentum
+    total = kinetic + potential
+    expected |= {"kinetic": kinetic, "potential": potential, "total": total, "momentum": momentum}
     sample = player.motion.sample()
     assert sample == pytest.approx(expected, rel=1e-12)
     assert list(sample) == list(expected)
@@ -46,3 +45,23 @@ def test_the_summary_names_the_farthest_bobs_at_their_angle(swing):
     second["theta"] = radians(360 * 3 + 50)  # it has gone round three times
     third["theta"] = radians(48)
     assert motion.summary().endswith(" %, bobs 2, 3 at 50 degrees right")
+
+
+@pytest.mark.parametrize(
+    ("largest", "number", "text"),
+    [
+        (0.51, -0.0049, "0.00"),
+        (0.045, 0.0049, "+0.0049"),
+        (0, -2e4, "-2.00e+04"),
+    ],
+)
+def test_speeds_and_momenta_have_digits_for_the_largest_one(largest, number, text):
+    assert signed(number, digits_for(largest)) == text
+
+
+def test_a_bob_whose_speed_is_shown_as_0_has_no_momentum(swing):
+    """Also one of 3 kg."""
+    motion = swing(HEADER + GOOD.replace("1.0", "3.0", 1)).motion
+    [pend] = motion.cradle.pend_list
+    pend.update(theta=0.0, omega=0.0049 / R_PARAM)
+    assert motion.momenta([pend])[0] == 0

@@ -7,13 +7,13 @@ import programs
 import pytest
 from pages import (
     bob_angles,
-    BOBS,
     open_cradle,
     pause,
     slide,
     wait_for_angles,
     wait_for_cradle,
     wait_for_moves,
+    wait_for_throw,
 )
 from programs import wait_until
 from whole_cradles import FIVE_CSV
@@ -31,11 +31,10 @@ def started(page, program):
 
 @pytest.mark.parametrize("page", ["firefox"], indirect=True)
 def test_in_firefox_the_cradle_swings_and_a_bob_is_dragged_until_the_tab_is_closed(page, started):
-    # The last bob has been hit
-    page.wait_for_function(f"() => ({BOBS})()[4][0] > {-0.1 + 5 / 4 * R_PARAM}")
+    wait_for_throw(page)
     picture = picture_of(page)
     # And then the first one again
-    page.wait_for_function(f"() => ({BOBS})()[0][0] < {-0.1 - R_PARAM / 4}")
+    page.wait_for_function(f"positions()[0][0] < {-0.1 - R_PARAM / 4}")
     assert picture_of(page) != picture
 
     pause(page)
@@ -55,15 +54,6 @@ def test_in_firefox_the_cradle_swings_and_a_bob_is_dragged_until_the_tab_is_clos
 
 
 def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
-    # bobsAtFirst is how many bobs the first picture has; one waits for its texture.
-    page.add_init_script("""{
-        const gl = WebGL2RenderingContext.prototype, draw = gl.drawElements;
-        const isBob = o => o?.constructor.name === "sphere";
-        gl.drawElements = function (...how) {
-            window.bobsAtFirst ??= glowObjs.filter(o => isBob(o) && o.visible && o.ready).length;
-            draw.apply(this, how);
-        };
-    }""")
     page.route("**/*.jpg", lambda route: (time.sleep(0.3), route.continue_()))
     with programs.running(program) as process:
         page.goto(programs.first_lines(process))
@@ -74,7 +64,7 @@ def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
     page.route("**/questions.js", lambda route: route.abort())
     with programs.running(program) as process:
         page.goto(programs.first_lines(process), wait_until="commit")
-        page.get_by_text("A part of this page did not arrive. It loads again by itself.").wait_for()
+        page.get_by_text("A part of this page did not arrive.").wait_for()
         page.unroute_all(behavior="ignoreErrors")
         wait_for_cradle(page)
         wait_for_moves(page)
@@ -89,17 +79,14 @@ def picture_of(page):
 
 
 def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again(page, started):
-    page.evaluate("""() => {
-        glowObjs[0].forward = vec(0.6, -0.2, -1);
-        window.driver = one("canvas").getContext("webgl2").getExtension("WEBGL_lose_context");
-        driver.loseContext();
-    }""")
+    context = "one('canvas').getContext('webgl2')"
+    driver = page.evaluate_handle(f"{context}.getExtension('WEBGL_lose_context')")
+    driver.evaluate("driver => driver.loseContext()")
     message = page.get_by_text("The browser cannot draw the cradle now.")
     message.wait_for()
-    page.evaluate("driver.restoreContext()")
+    driver.evaluate("driver => driver.restoreContext()")
     message.wait_for(state="hidden")
     wait_for_cradle(page)
-    assert page.evaluate("glowObjs[0].forward.x") == 0.6  # from where you have looked at it
     picture = picture_of(page)
     wait_until(lambda: picture_of(page) != picture)
 
@@ -108,7 +95,7 @@ def test_hostile_texts_are_shown_as_texts(page, program):
     """In an experiment's name, question, answers and explanation, and in the CSV."""
     evil = "<s><img src onerror>"  # a text that makes elements, where it is HTML
     folder = program.parents[1]
-    file = folder / "support" / "experiments" / "single" / "2_two_bobs.txt"
+    file = folder / "support" / "experiments" / "single" / "02_two_bobs.toml"
     file.write_text(file.read_text().replace("Two bobs", evil))
     with programs.running(program, folder=folder) as process:
         open_cradle(page, programs.first_lines(process))

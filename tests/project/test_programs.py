@@ -85,6 +85,7 @@ for refused in {refused}.split():
 REFUSED = """
 text(text='a') compound([box()]) extrusion(path=[],shape=[]) graph() gcurve() slider(bind=abs)
 scene.waitfor('click') scene.pause() scene.mouse.pick
+attach_trail(box()) box(make_trail=True) setattr(box(),'make_trail',True)
 """
 
 
@@ -132,15 +133,12 @@ def test_a_program_does_as_the_options_say(start):
     assert page.viewer.cradle.values("phi") == [outwards_to_angle(-12.5)] * 2 + [0]
 
 
-@pytest.mark.parametrize(("line", "angle"), [("--angle 20", 20), ("", 41.5)])
-def test_a_program_of_single_pendula_has_one_angle_which_ghosts_can_have_too(
-    start, tmp_path, line, angle
-):
+def test_a_program_of_single_pendula_has_one_angle_and_ghosts(start, tmp_path):
     ghosts = tmp_path / "film.csv"
-    ghosts.write_text("start,0.5,-41.5\nt,theta_1\n0,1\n")
-    page = start("single", f"{line} --ghosts {ghosts}")
-    assert page.viewer.cradle.values("theta") == [outwards_to_angle(angle), 0, 0]
-    assert page.viewer.ghost_file.ghosts.name == "film.csv"
+    ghosts.write_text("t,theta_1\n0,1\n")
+    page = start("single", f"--angle 20 --ghosts {ghosts}")
+    assert page.viewer.cradle.values("theta") == [outwards_to_angle(20), 0, 0]
+    assert page.viewer.ghost_file.name == "film.csv"
 
 
 @pytest.mark.parametrize(

@@ -9,31 +9,27 @@ from students import put_files
 from vpython import vector
 from whole_cradles import go_on, GOOD, HEADER
 
-from support.page import questions
-from support.page.scene.marks import BEHIND
+from support.constants import R_PARAM
+from support.page.lesson import ASKED, EXPLAINED, OVER, REST, RUNNING, SEEN, WAITS
 
 CSV = "My cradle"
 TWO = "Two bobs"
-KEY = "2_two_bobs"
+KEY = "02_two_bobs"
 ANSWERS = [
     "One bob, twice as fast",
     "One bob, as far as the two",
     "Two bobs, as far as the two",
     "Three bobs, not so far",
 ]
-PREDICTED, SEEN = "predicted", "seen"
 
 
 class QuestionState(NamedTuple):
     """What a tab shows of a question; answers are indices."""
 
-    asking: str | None = None
-    predicted: int | None = None
+    state: str
+    asked: int | None = None
     seen: int | None = None
-    outcome: int | None = None  # None before the end, too
-
-
-ASKING = QuestionState(PREDICTED)
+    outcome: int | None = None  # None before the explanation, too
 
 
 def question_of(rig):
@@ -41,29 +37,45 @@ def question_of(rig):
     question = rig.state["question"]
     if not question:
         return None
-    outcome = question["happened"]["outcome"] if question["happened"] else None
-    replies = question["replies"]
-    return QuestionState(question["asking"], replies[PREDICTED], replies[SEEN], outcome)
+    return QuestionState(question["state"], **question["replies"], outcome=question.get("outcome"))
 
 
 @pytest.fixture
 def asking(rig):
-    """A viewer that asks what will happen in an experiment, Two bobs, and not what you saw."""
-    rig.give("ask_seen", False)
+    """A viewer that asks what will happen in an experiment, Two bobs."""
     rig.give("experiment", TWO)
     return rig
+
+
+@pytest.fixture
+def asking_again(asking):
+    """The same, when it asks what you have seen."""
+    asking.give("answer", KEY, 0)
+    wait_until_it_is(asking, SEEN)
+    return asking
+
+
+def wait_until_it_is(rig, state):
+    while question_of(rig).state != state:
+        rig.wait(0.1)
+
+
+def wait_for_rest(rig):
+    """Wait until the swing is over, and the picture rests."""
+    while not rig.viewer.lesson.is_resting():
+        rig.wait(0.1)
 
 
 def test_a_mistake_in_an_experiment_is_shown_as_plain_text_and_no_other_one_is_next(
     csv, tmp_path, monkeypatch
 ):
-    folder = put_files(tmp_path / "experiments", {"single/one.txt": "<s>"})
+    folder = put_files(tmp_path / "experiments", {"single/one.toml": "name = '<s>'\ntheta = '<s>'"})
     monkeypatch.setattr("support.page.chooser.EXPERIMENTS", folder)
     rig = Rig(csv)
     rig.give("next")
     assert rig.control("experiment")["choices"] == [rig.state["experiment"]] == [CSV]
     [mistake] = rig.state["mistakes"]
-    assert "one.txt, line 1: found '<s>'" in mistake
+    assert "one.toml: theta: found '<s>', allowed is" in mistake
 
 
 def test_a_program_that_reads_another_file_does_not_end_the_page(asking, write, tmp_path):
@@ -72,7 +84,7 @@ def test_a_program_that_reads_another_file_does_not_end_the_page(asking, write, 
     other.write_text(HEADER + GOOD * 2)
     write("make_newton_cradle", f"pend_list = make_newton_cradle({str(other)!r}, R_PARAM, 0)")
     asking.give("restart")
-    asking.give("edit", 1, "mass", "2")
+    asking.give("edit", 1, "mass", 2)
     asking.wait(0.1)
     assert len(asking.thetas()) == 2
     assert question_of(asking) is None
@@ -84,26 +96,40 @@ def test_you_choose_an_experiment_although_the_program_has_ended(rig):
     rig.viewer.go_on_after(None)
     go_on(rig.viewer)
     rig.wait()
-    assert question_of(rig) == ASKING
+    assert question_of(rig) == QuestionState(ASKED)
 
 
-def test_the_question_comes_before_each_release_and_the_explanation_after_it(asking):
+def test_a_lesson_asks_before_the_release_and_after_the_swing_and_then_explains(asking):
     asking.wait(0.5)
     assert asking.time() == 0
     assert not asking.state["running"]
-    assert question_of(asking) == ASKING
+    assert question_of(asking) == QuestionState(ASKED)
     question = asking.state["question"]
     assert question["question"] == "Two bobs come in. What leaves on the other side?"
     assert question["answers"] == ANSWERS
     asking.give("answer", KEY, 0)
     asking.wait(0.3)
-    assert question_of(asking) == QuestionState(predicted=0)
-    asking.wait(0.3)
-    assert question_of(asking) == QuestionState(predicted=0, outcome=2)
+    assert question_of(asking) == QuestionState(RUNNING, asked=0)
+    wait_until_it_is(asking, SEEN)
+    asking.wait(1)
+    # Nobody reads the answer off the picture: it is that of the release.
+    assert asking.time() == 0
+    assert asking.bob_angles() == [45, 45, 0, 0, 0]
+    assert "why" not in asking.state["question"]
+    asking.give("answer", KEY, 1)
+    assert question_of(asking) == QuestionState(EXPLAINED, asked=0, seen=1, outcome=2)
     # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
-    assert "two left at 1.07 and 1.07 m/s." in asking.state["question"]["happened"]["why"]
+    assert "two left at 1.07 and 1.07 m/s." in asking.state["question"]["why"]
+    wait_for_rest(asking)  # the swing is seen once more, and holds while you read
+    time = asking.time()
+    asking.wait(2 * REST)
+    assert asking.time() == time
+    assert not asking.state["running"]
+    asking.give("pause")
+    asking.wait(0.1)
+    assert asking.time() > time
     asking.give("restart")
-    assert question_of(asking) == ASKING
+    assert question_of(asking) == QuestionState(ASKED)
 
 
 @pytest.mark.parametrize("command", ["step", "pause"])
@@ -112,73 +138,49 @@ def test_an_open_question_waits_for_an_answer_and_says_so(asking, command):
     asking.give(command)
     asking.wait(0.1)
     assert asking.time() == 0
-    assert asking.state["word"] == questions.WAITS
+    assert asking.state["word"] == WAITS
     asking.give("answer", KEY, 2)
     assert asking.state["word"] == ""
 
 
 def test_an_answer_to_another_question_or_after_the_answer_does_nothing(asking):
-    for value in (("1_one_bob", 0), (KEY, 4)):
+    for value in (("01_one_bob", 0), (KEY, 4)):
         asking.give("answer", *value)
-    assert question_of(asking) == ASKING
+    assert question_of(asking) == QuestionState(ASKED)
     asking.give("answer", KEY, 0)
     asking.give("answer", KEY, 1)
-    assert question_of(asking).predicted == 0
+    assert question_of(asking).asked == 0
 
 
-def test_without_predict_first_an_experiment_runs_at_once_and_still_explains_itself(asking):
-    asking.give("ask_first", False)
+def test_without_ask_an_experiment_runs_at_once_and_still_explains_itself(asking):
+    asking.give("ask", False)
     wait_for_rest(asking)
-    assert question_of(asking) == QuestionState(outcome=2)
-    asking.give("ask_first", True)
-    assert question_of(asking) == ASKING
+    assert question_of(asking) == QuestionState(EXPLAINED, outcome=2)
+    time = asking.time()
+    asking.wait(REST - 0.1)
+    assert asking.time() == time
+    asking.wait(0.3)
+    assert asking.time() > time
+    asking.give("ask", True)
+    assert question_of(asking) == QuestionState(ASKED)
     assert asking.time() == 0
 
 
-def test_you_say_what_you_saw_before_it_is_explained(asking):
-    """Until then the picture rests."""
-    asking.give("ask_seen", True)
-    asking.give("answer", KEY, 0)
-    wait_for_question(asking)
-    assert question_of(asking) == QuestionState(SEEN, predicted=0, outcome=2)
-    time = asking.time()
-    asking.wait(4)
-    asking.give("answer", KEY, 1)
-    assert question_of(asking) == QuestionState(None, predicted=0, seen=1, outcome=2)
-    asking.wait(2.5)
-    assert asking.time() == time
-    asking.wait(1)
-    assert asking.time() > time
-
-
-def wait_for_question(asking):
-    while not question_of(asking).asking:
-        asking.wait(0.1)
-
-
-def test_without_say_what_you_saw_the_page_asks_no_more(asking):
-    asking.give("ask_seen", True)
-    asking.give("answer", KEY, 1)
-    wait_for_question(asking)
-    asking.give("ask_seen", False)
-    assert question_of(asking) == QuestionState(predicted=1, outcome=2)
-
-
 @pytest.mark.parametrize(
-    "change", [("release_angle", 10), ("e", 0.5), ("separating", True), ("edit", 0, "mass", "2")]
+    "change", [("release_angle", 10), ("e", 0.5), ("separating", True), ("edit", 0, "mass", 2)]
 )
 def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking, change):
     """It is paused: else it would give the answer away."""
     asking.give(*change)
     assert question_of(asking) is None
-    assert asking.state["word"] == questions.OVER
+    assert asking.state["word"] == OVER
     assert asking.state["paused"]
-    asking.give("ask_first", False)
-    asking.give("ask_first", True)
+    asking.give("ask", False)
+    asking.give("ask", True)
     assert asking.state["changed"]
     assert question_of(asking) is None
     asking.give("experiment", TWO)
-    assert question_of(asking) == ASKING
+    assert question_of(asking) == QuestionState(ASKED)
     assert asking.state["word"] == ""
 
 
@@ -190,74 +192,63 @@ def test_a_bob_that_is_moved_and_let_go_in_one_frame_ends_the_question(asking, m
     asking.tell("drag", (bob + vector(0.01 * moves, 0, 0)).value, [0, 0, -1])
     asking.give("let_go")
     assert asking.state["changed"] == moves
-    assert question_of(asking) == (None if moves else ASKING)
+    assert question_of(asking) == (None if moves else QuestionState(ASKED))
 
 
-def wait_for_rest(asking):
-    """Wait until the experiment is measured, and the picture rests."""
-    while asking.viewer.questions.rest_end is None:
-        asking.wait(0.1)
-
-
-def test_a_pause_in_the_rest_ends_it(asking):
-    asking.give("answer", KEY, 0)
-    wait_for_rest(asking)
-    time = asking.time()
-    asking.give("pause")
-    asking.give("pause")
-    asking.wait(0.1)
-    assert asking.time() > time
-
-
-def test_ghosts_swing_as_far_as_the_answers_say_until_the_picture_rests_no_more(asking):
-    asking.give("arrows", True)
-    asking.give("answer", KEY, 0)
-    asking.wait(0.2)
-    assert ghosts(asking) == []
-    asking.wait(0.15)
-    assert 0 < ghosts(asking)[4] < 100
-    wait_for_rest(asking)
-    # The pale bobs that its file says, and those of the other answers: the page shows yours
-    assert ghosts(asking) == pytest.approx([0, 0, 0, 0, 100])
-    assert ghosts(asking, 1) == pytest.approx([0, 0, 0, 0, 45])
-    assert asking.state["view"]["ghosts"] == [0] * 5 + [1] * 5 + [2] * 5 + [3] * 5
-    labels = asking.state["view"]["labels"]
+def test_ghosts_swing_as_far_as_the_answers_say_until_the_picture_rests_no_more(asking_again):
+    rig = asking_again
+    rig.give("momenta", True)
+    rig.give("answer", KEY, 0)
+    rig.wait(0.2)
+    assert ghosts(rig) == []
+    points = rig.state["view"]["points"]
+    assert max(x for x, *_ in points) > rig.cradle.axles()[-1].pos.x + R_PARAM  # room for 100
+    rig.wait(0.15)
+    assert 0 < ghosts(rig)[0] < 100
+    wait_for_rest(rig)
+    # Of your answer and of the others: the page shows yours. A bob that hangs has no ghost.
+    assert ghosts(rig) == pytest.approx([100, 45, 45, 45, 29, 29, 29])
+    assert rig.state["view"]["ghosts"] == [0, 1, 2, 2, 3, 3, 3]
+    assert rig.state["view"]["points"] == points  # the camera stays
+    labels = rig.state["view"]["labels"]
     assert [label["answer"] for label in labels] == [0, 1, 2, 3]
     assert {label["text"] for label in labels} == {"your answer"}
     # Most bobs stop at this moment: the bars are those after the hits
-    bars = asking.state["bars"]
-    assert bars["title"] == "Momentum after the hits (kg m/s)"
-    assert [bar["part"] for bar in bars["bars"]] == pytest.approx([0, 0, 0, 0.5, 0.5, 1], abs=0.01)
-    asking.wait(questions.REST + 0.1)
-    assert ghosts(asking) == []
+    bars = rig.state["bars"]
+    assert "after the hits" in bars["title"]
+    assert [part for *_, part in bars["bars"]] == pytest.approx([0, 0, 0, 0.5, 0.5, 1], abs=0.01)
+    rig.give("pause")
+    rig.wait(0.1)
+    assert ghosts(rig) == []
 
 
-def ghosts(rig, answer=0):
-    """Return the angles of the ghosts of an answer (degrees)."""
-    axles = rig.viewer.cradle.axles()
+def ghosts(rig):
+    """Return the angles of all ghosts (degrees)."""
     shown = [ghost for ghost in rig.viewer.marks.shapes["ghosts"] if ghost.visible]
-    angles = []
-    first = answer * len(axles)
-    for ghost, axle in zip(shown[first : first + len(axles)], axles, strict=False):
-        arm = ghost.pos - rig.viewer.cradle.bobs()[0].radius * BEHIND - axle.pos
-        angles.append(degrees(atan2(arm.x, -arm.y)))
-    return angles
+    threads = rig.viewer.marks.shapes["threads"]
+    return [degrees(atan2(thread.axis.x, -thread.axis.y)) for thread in threads[: len(shown)]]
 
 
-@pytest.mark.parametrize(("slowly", "speed"), [(True, 0.1), (False, 2)])
-def test_again_keeps_the_answer(asking, slowly, speed):
-    """Slow motion ends with the rest, and the speed is as you have set it."""
-    asking.give("speed", 2)
-    asking.give("answer", KEY, 1)
-    wait_for_rest(asking)
-    asking.give("repeat", slowly)
-    assert asking.time() == 0
-    assert question_of(asking) == QuestionState(predicted=1)
-    wait_for_rest(asking)
-    assert question_of(asking) == QuestionState(predicted=1, outcome=2)
-    assert asking.state["speed"] == speed
-    asking.wait(questions.REST)
-    assert asking.state["speed"] == 2
+@pytest.mark.parametrize("state", [SEEN, EXPLAINED])
+def test_again_slowly_shows_the_swing_once_more_and_changes_nothing_else(asking_again, state):
+    rig = asking_again
+    rig.give("speed", 2)
+    if state == EXPLAINED:
+        rig.give("answer", KEY, 1)
+        wait_for_rest(rig)
+    before = question_of(rig)
+    rig.give("repeat")
+    assert rig.time() == 0
+    assert rig.state["speed"] == 0.1
+    rig.wait(0.5)
+    assert 0 < rig.time() < 0.1
+    assert question_of(rig) == before
+    while rig.state["speed"] == 0.1:
+        rig.wait(0.1)
+    assert rig.state["speed"] == 2
+    assert question_of(rig) == before
+    assert not rig.state["running"]
+    assert (rig.time() == 0) == (state == SEEN)
 
 
 def test_next_and_previous_go_through_all_experiments_and_around(asking):

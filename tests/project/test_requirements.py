@@ -5,10 +5,9 @@ import re
 import venv
 from importlib import metadata
 
-from pages import BOBS, open_cradle
+from pages import open_cradle, wait_for_throw
 from programs import end, first_lines, QUIETLY, ROOT, running
 
-from support.constants import R_PARAM
 from support.start.options import CLOSED_VARIABLE, PORT_VARIABLE
 
 
@@ -61,8 +60,6 @@ def test_the_page_works_with_the_short_list_alone_until_the_tab_is_closed(page, 
     python = str(environment / "bin" / "python")
     with running(program, python=python) as process:
         open_cradle(page, first_lines(process))
-        # To the right: only a hit brings a bob that far
-        farthest = f"Math.max(...({BOBS})().map(bob => bob[0]))"
-        page.wait_for_function(f"() => {farthest} > {-0.1 + 5 / 4 * R_PARAM}")
+        wait_for_throw(page)
         page.close()
         assert end(process) == QUIETLY

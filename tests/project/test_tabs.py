@@ -196,3 +196,10 @@ def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_
         else:
             tabs.receive(name, json.dumps([event, 1, 2]).encode())
     assert given(tabs) == commands.split(", ")
+
+
+@pytest.mark.parametrize("message", [b"", b"[", b"5", b"\xff"])
+def test_a_message_without_a_command_is_forgotten(tabs, message):
+    open_tab(tabs, 1)
+    tabs.receive(1, message)
+    assert given(tabs) == []

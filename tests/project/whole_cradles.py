@@ -191,7 +191,8 @@ def noting(pend_list, separating=False):
     cradle = Cradle()
     cradle.find_functions(vars(visualize_cradle_run))
     cradle.pend_list = pend_list
-    hits = Hits(cradle, SimpleNamespace(separating=separating))
+    settings = SimpleNamespace(separating=separating)
+    hits = Hits(cradle, SimpleNamespace(settings=settings))
     hits.listen()
     try:
         yield cradle, hits

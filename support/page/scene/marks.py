@@ -8,13 +8,12 @@ from vpython import arrow, cylinder, ring, sphere, vector
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
-from support.cradle.motion import digits_for
 from support.energy import bob_motions, momentum
-from support.page.scene.slow_hits import SlowHit, SlowHits
+from support.page.scene.slow_hits import SlowHits
 from support.pendulum import arm, cord_angles, Pendulum
 
-# s: an arrow is as long as its bob's way in a ninth of a small swing.
-ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 9
+# s: an arrow is as long as its bob's way in a twentieth of a small swing.
+ARROW_TIME = 2 * pi * sqrt(R_PARAM / G) / 20
 # m/s: a slower bob has no arrow. A bob that comes down from 2 degrees gets as fast.
 SLOWEST_WITH_ARROW = 0.035 * sqrt(R_PARAM * G)
 # In lengths of the cords: an arrow of the largest momentum. A change can be twice as large.
@@ -28,7 +27,7 @@ DIAL = 0.76
 MARK = 0.08
 
 GREEN = vector(0.0, 0.62, 0.45)  # of the arrows
-MAGENTA = vector(0.8, 0.1, 0.5)  # of the arrows of a hit
+PINK = vector(0.8, 0.1, 0.5)  # of the arrows of a hit
 ORANGE = vector(0.9, 0.4, 0.0)  # of the rings
 GREY = vector(0.5, 0.5, 0.53)  # of the dial
 DARK = vector(0.15, 0.15, 0.17)  # of the belts
@@ -62,16 +61,16 @@ class Marks:
     def __init__(self) -> None:
         self.has_arrows = False
         self.measures = False  # whether the dial, the angles and the speeds are shown
-        self.momenta: list[float] = []  # kg m/s: of the pendula, while there are arrows
-        self.ghosts: list = []
         self.answers: list[int | None] = []  # of the ghosts: their answers
         self.shapes: dict[str, list] = {}  # all that were made, by their name
 
-    def surround(self, cradle: Cradle) -> None:
-        """Take a cradle: a new one, or one in which a bob was dragged."""
+    def surround(self, cradle: Cradle, digits: int) -> None:
+        """Take a cradle: a new one, or one in which a bob was dragged.
+
+        A speed has so many digits behind the point.
+        """
         self.cradle = cradle
-        self.largest = cradle.most_momentum() or 1.0  # kg m/s: its bar has the full length
-        self.digits = digits_for(max(cradle.top_speeds(), default=0.0))  # of a speed
+        self.digits = digits
         self.place_dial()
 
     def take(self, name: str, count: int, kind: type, **attributes: Any) -> list:
@@ -90,7 +89,7 @@ class Marks:
         return shapes[:count]
 
     def switch_arrows(self, is_shown: bool) -> None:
-        """Show arrows and momenta, or not."""
+        """Show the velocities as arrows, or not."""
         self.has_arrows = is_shown
 
     def switch_measures(self, is_shown: bool) -> None:
@@ -103,21 +102,19 @@ class Marks:
 
         During a slow hit, there are no ghosts: they cover its arrows.
         """
-        slow_hit = slow_hits.current
         pend_list = slow_hits.shown_pendula()
         self.show_arrows(pend_list)
         self.show_belts()
-        self.show_hit(slow_hit)
-        names = self.show_ghosts([] if slow_hit else ghosts)
+        self.show_hit(slow_hits)
+        names = self.show_ghosts([] if slow_hits.waits() else ghosts)
         return [*self.bob_labels(pend_list), *self.dial_labels(), *names]
 
     # --- the motion --------------------------------------------------------------------------
 
     def show_arrows(self, pend_list: Sequence[Pendulum]) -> None:
-        """Show the velocities of these pendula, and keep their momenta; or hide all arrows."""
+        """Show the velocities of these pendula, or hide all arrows."""
         if not self.has_arrows:
             self.take("arrows", 0, arrow)
-            self.momenta = []
             return
         motions = [motion for pend in pend_list for motion in bob_motions(pend, R_PARAM)]
         moving = []  # the bobs that move, and their velocities (m/s)
@@ -129,13 +126,6 @@ class Marks:
             pointer.pos = bob.pos + bob.radius * TO_CAMERA
             pointer.axis = ARROW_TIME * velocity
             pointer.shaftwidth = bob.radius / 3
-        self.momenta = self.momenta_of(pend_list)
-        # Only functions that add energy go beyond it.
-        self.largest = max(self.largest, *map(abs, self.momenta))
-
-    def momenta_of(self, pend_list: Sequence[Pendulum]) -> list[float]:
-        """Return the momentum of each of these pendula (kg m/s)."""
-        return [momentum([pend], R_PARAM) for pend in pend_list]
 
     def show_belts(self) -> None:
         """Show a dark belt around each bob that is heavier than the lightest one.
@@ -182,11 +172,9 @@ class Marks:
 
     # --- a hit that is shown slowly ------------------------------------------------------------
 
-    def show_hit(self, slow_hit: SlowHit | None) -> None:
-        """Put rings around the pair of a hit, and show the changes of their momenta; or hide them.
-
-        The page lets the arrows fade (light.js).
-        """
+    def show_hit(self, slow_hits: SlowHits) -> None:
+        """Put rings around the pair of a hit, and show how it changed momenta; or hide both."""
+        slow_hit = slow_hits.current
         pair = (slow_hit.hit.left, slow_hit.hit.right) if slow_hit else ()
         bobs: list = []
         for number in pair:
@@ -196,8 +184,8 @@ class Marks:
             circle.pos = bob.pos + bob.radius * TO_CAMERA
             circle.radius = 1.05 * bob.radius
             circle.thickness = 0.08 * bob.radius
-        count = 0 if self.cradle.hidden else len(pair)
-        arrows = self.take("changes", count, arrow, color=MAGENTA, pickable=False)
+        count = len(pair) if self.cradle.shows("momentum") else 0
+        arrows = self.take("changes", count, arrow, color=PINK, pickable=False)
         if not slow_hit or not arrows:
             return
         for pointer, number, old, new in zip(
@@ -206,42 +194,40 @@ class Marks:
             bob = self.cradle.pend_list[number]["objects"][1]
             change = momentum([new], R_PARAM) - momentum([old], R_PARAM)
             pointer.pos = bob.pos + vector(0, ABOVE * bob.radius, 0)
-            pointer.axis = vector(
-                LONGEST_ARROW * self.cradle.cords_length * change / self.largest, 0, 0
-            )
+            part = change / slow_hits.motion.most_momentum
+            pointer.axis = vector(LONGEST_ARROW * self.cradle.cords_length * part, 0, 0)
             pointer.shaftwidth = bob.radius / 2
 
     # --- ghosts: of each answer, or of a file ----------------------------------------------------
 
     def show_ghosts(self, all_poses: Sequence[GhostPoses]) -> list[Label]:
-        """Show ghosts of bobs and cords, or none; return their names.
+        """Show ghosts of bobs and cords, or none; return their names, one above all ghosts of it.
 
-        Nobody can pick a ghost. So it is no bob for the page (canvas.js), and looks transparent
-        (light.js). ghosts.js hides those of other answers.
+        Nobody can pick a ghost. So it is no bob for the page. ghosts.js makes it pale, and hides
+        those of other answers.
         """
         self.answers = []
         for ghosts in all_poses:
             self.answers += [ghosts.answer] * sum(map(len, ghosts.poses.values()))
         count = len(self.answers)
-        self.ghosts = self.take("ghosts", count, sphere, shininess=0, pickable=False)
+        bobs = self.take("ghosts", count, sphere, shininess=0, pickable=False)
         threads = self.take("threads", count, cylinder, pickable=False)
-        shapes = zip(self.ghosts, threads, strict=True)
-        names: list[Label] = []
+        shapes = zip(bobs, threads, strict=True)
+        names = []
         for ghosts in all_poses:
-            names += self.place_ghosts(ghosts, shapes)
+            places = self.place_ghosts(ghosts, shapes)
+            if places:
+                x = sum(place.x for place in places) / len(places)
+                y = max(place.y for place in places) + self.cradle.bobs()[0].radius
+                names.append(Label(x, y, ghosts.name, "name", ghosts.answer))
         return names
 
-    def place_ghosts(self, ghosts: GhostPoses, shapes: Iterator) -> list[Label]:
-        """Place the next of these shapes, a ghost and its thread; return the name, in a list.
-
-        The name stands at the first ghost that is nearly as far out as the farthest one.
-        """
-        farthest = max((abs(upper) for upper, *_ in ghosts.poses.values()), default=0.0)
-        names: list[Label] = []
+    def place_ghosts(self, ghosts: GhostPoses, shapes: Iterator) -> list[vector]:
+        """Place the next of these pairs, a ghost and its thread; return the places of ghosts."""
+        places = []
         for index, angles in ghosts.poses.items():
             axle, *parts = self.cradle.pend_list[index]["objects"]
-            behind = parts[0].radius * BEHIND
-            end = axle.pos + behind
+            end = axle.pos + parts[0].radius * BEHIND
             for angle, bob, cord in zip(angles, parts[::2], parts[1::2], strict=False):
                 ghost, thread = next(shapes)
                 axis = arm(angle, R_PARAM)
@@ -253,12 +239,8 @@ class Marks:
                 ghost.pos = end
                 ghost.radius = 0.97 * bob.radius  # hidden by the bob, where both are in one place
                 ghost.color = bob.color
-            if abs(angles[0]) >= 0.9 * farthest and not names:
-                axis = arm(angles[0], R_PARAM)
-                x = axle.pos.x + 0.7 * axis.x  # not at the edge of the picture
-                y = axle.pos.y + axis.y + parts[0].radius
-                names = [Label(x, y, ghosts.name, "name", ghosts.answer)]
-        return names
+                places.append(end)
+        return places
 
     # --- measurements --------------------------------------------------------------------------
 

@@ -1,40 +1,34 @@
 """The scenery around the pendula: light, frame and base; and what each tab's camera must show."""
 
-from collections.abc import Sequence
-from math import ceil
-from typing import NamedTuple
+from collections.abc import Iterable, Sequence
+from itertools import product
+from math import ceil, pi
 
-from vpython import box, color, cylinder, distant_light, scene, textures, vector
+from vpython import box, color, cylinder, distant_light, scene, simple_sphere, textures, vector
 
 from support.cradle.dragging import FINGER
-from support.pendulum import discard, make_shape
+from support.page.scene.marks import Label, TO_CAMERA
+from support.pendulum import arm, discard, make_shape
 
-STEEL = vector(0.75, 0.76, 0.78)
-TO_POSTS = 0.86  # from the outer axles, in lengths of the cords: a bob at 45 degrees is inside
-OVERHANG = 0.06  # of the base beyond the posts, in lengths of the cords
-TEXT = 1 / 30  # the height of the numbers above the axles, in heights of the canvas
-LINE_HEIGHT = 1.3  # from line to line, in heights of the text
-HIT_LINES = 6  # of text about a slow hit, above the cradle
-CANVAS = 1.1  # about the height of the canvas, in heights of the frame
-
-
-class Size(NamedTuple):
-    """The size of a frame (m)."""
-
-    left: float  # x of its ends
-    right: float
-    top: float  # y of the axles, and of the base
-    bottom: float
-    depth: float  # from rail to rail
-    cords_length: float  # from an axle to the centre of the lowest bob at rest
-    radius: float  # of the bobs
-
-
-class Number(NamedTuple):
-    """A text above an axle, and the axle's x (m)."""
-
-    x: float
-    text: str
+# Images in web/
+# What a rod reflects, around it: the sky, the horizon, the ground.
+CHROME = {"texture": ":chrome.jpg", "shininess": 0}
+# White, with the shadow of the base in its middle; on the upper side alone.
+GROUND = {"file": ":ground.jpg", "place": "right"}
+DARK = vector(0.8, 0.62, 0.55)  # of the wood
+WHITE = vector(3, 3, 3)  # the other sides, in any light
+FLAT = 1e-4  # m: the height of the ground, and of the board upon the base
+# In lengths of the cords
+TO_POSTS = 0.86  # from the outer axles: a bob at 45 degrees is inside
+TO_BASE = 1.25  # from the axles down to the base
+BASE = 0.1  # the height of the base
+OVERHANG = 0.06  # of the base beyond the posts
+SHADOW = 0.04  # of the base, in front of it: the view has space for it
+BOB = 0.12  # the radius of the bobs, at most
+NUMBERS = 0.14  # from the axles up to the end of their numbers
+# Of the ground, in lengths and in depths of the base
+GROUND_LENGTH = 1.3
+GROUND_DEPTH = 2.2
 
 
 class Scenery:
@@ -43,116 +37,107 @@ class Scenery:
     def __init__(self) -> None:
         """Set the lights, and a distant camera.
 
-        On a pale page, the edges of bobs must be dark, and their middle bright.
+        One light is above on the left, and a weak one on the right. On a white page, the edges of
+        bobs must be dark.
         """
         scene.autoscale = False
         scene.fov = 0.25  # rad: a distant camera; a near one distorts shapes off the centre
-        scene.ambient = color.gray(0.26)
+        scene.ambient = color.gray(0.4)
         scene.lights = []
-        distant_light(direction=vector(0.2, 0.4, 1), color=color.gray(0.9))
-        distant_light(direction=vector(-0.6, 0.3, 0.4), color=color.gray(0.2))
+        distant_light(direction=vector(-0.5, 0.9, 0.7), color=color.gray(0.82))
+        distant_light(direction=vector(0.9, 0.1, 0.6), color=color.gray(0.2))
         self.frame: list = []
+        # On the base: the page paints the shadows of the bobs on it. It knows it by not being
+        # pickable (light.js).
+        self.board = box(texture=textures.wood, color=DARK, pickable=False)
+        self.ground = box(axis=vector(0, 1, 0), texture=GROUND, color=WHITE)
 
     def surround(
-        self, axles: Sequence, bobs: Sequence, cords_length: float, masses: Sequence[float]
+        self,
+        axles: Sequence,
+        cords_length: float,
+        masses: Sequence[float],
+        swing: float = 0.0,
     ) -> None:
-        """Put a frame around these axles and bobs; masses (kg) are those of the pendula.
+        """Put a frame around these axles; masses (kg) are those of the pendula.
 
-        cords_length (m) is from an axle to the centre of the lowest bob at rest.
+        cords_length (m) is from an axle to the centre of the lowest bob at rest. swing (rad) is
+        the largest angle of ghosts that may come.
         """
-        self.numbers = [Number(axle.pos.x, str(i)) for i, axle in enumerate(axles, start=1)]
-        top = axles[0].pos.y
-        to_posts = TO_POSTS * cords_length
-        self.size = Size(
-            left=self.numbers[0].x - to_posts,
-            right=self.numbers[-1].x + to_posts,
-            top=top,
-            bottom=top - 1.3 * cords_length,
-            depth=axles[0].width,
-            cords_length=cords_length,
-            radius=bobs[0].radius,
-        )
+        self.first, self.last = axles[0].pos, axles[-1].pos
+        self.cords_length = cords_length
+        self.numbers = [
+            Label(axle.pos.x, axle.pos.y + axle.height, str(number), "number")._asdict()
+            for number, axle in enumerate(axles, start=1)
+        ]
         discard(self.frame)
-        self.frame = make_frame(self.size)
-        # Whether the view has space for bobs that swing out of the frame. Bobs with unequal masses
-        # probably will.
-        self.wide_swings = len({*masses}) > 1
-        self.above = 0.0  # m above the axles: the view has space for bobs up to there
+        self.frame = make_frame(self.first, self.last, axles[0].width, cords_length)
+        base = self.frame[-1]
+        half = vector(0, base.height / 2, 0)
+        self.board.pos = base.pos + half
+        self.board.size = vector(base.length, FLAT, base.width)
+        self.ground.pos = base.pos - half
+        self.ground.size = vector(FLAT, GROUND_LENGTH * base.length, GROUND_DEPTH * base.width)
+        if len({*masses}) > 1:  # they will probably swing wide
+            swing = max(swing, pi / 2)
+        self.highest = -cords_length  # m, above the axles: the view has space for bobs up to there
+        self.keep_in_view([self.last + arm(swing, cords_length)])
 
-    def keep_in_view(self, bobs: Sequence) -> None:
-        """Let the view have space for these bobs, or ghosts, also outside of the frame."""
-        for bob in bobs:
-            if not self.size.left < bob.pos.x < self.size.right:
-                self.wide_swings = True
-            height = bob.pos.y - self.size.top
-            if height > self.above:
-                self.wide_swings = True
-                quarter = self.size.cords_length / 4  # not in each picture a little
-                self.above = quarter * ceil(height / quarter)
+    def keep_in_view(self, places: Iterable[vector]) -> None:
+        """Let the view have space for bobs at these places (m), also outside of the frame."""
+        for place in places:
+            self.highest = max(self.highest, place.y - self.first.y)
 
-    def view(self, has_text_above: bool) -> dict:
-        """Return what a tab must know: the points (m) that its camera shows, and the numbers.
+    def view(self) -> dict:
+        """Return what the camera of a tab must know, in metres, and the numbers of the axles.
 
-        The points are those of the frame, of all swings, and of the text above the cradle, if there
-        is some.
+        It shows all points: those of the frame, of the numbers, and of all swings.
         """
-        lines = HIT_LINES if has_text_above else 0
-        left, right, top, bottom, depth, cords_length, radius = self.size
-        ground = bottom - base_height(cords_length) / 2
-        # The numbers, a gap, and the lines above them.
-        writing = radius / 2 + (lines + 1.5) * LINE_HEIGHT * TEXT * CANVAS * (top - ground)
-        points: list[tuple[float, float, float]]
-        points = [(self.numbers[0].x, top + writing, 0), (self.numbers[-1].x, top + writing, 0)]
-        for x in (left - OVERHANG * cords_length, right + OVERHANG * cords_length):
-            for y in (top, ground):
-                for side in (-1, 1):
-                    points.append((x, y, side * (depth / 2 + OVERHANG * cords_length)))
-        if self.wide_swings:
-            widest = cords_length + radius
-            room = 4 if self.above else 2  # radii: for a bob, and the name of a ghost
-            highest = top + self.above + room * radius
-            points.append((self.numbers[0].x - widest, highest, 0))
-            points.append((self.numbers[-1].x + widest, highest, 0))
+        base = self.frame[-1]
+        low, high = base.pos - base.size / 2, base.pos + base.size / 2
+        top = self.first.y
+        bottom = low.y - SHADOW * self.cords_length
+        points = [*product((low.x, high.x), (bottom, top), (low.z, high.z))]
+        aside, above = 0.0, NUMBERS * self.cords_length
+        quarter = self.cords_length / 4  # the view does not grow in each picture a little
+        height = quarter * ceil(self.highest / quarter)
+        if height > -2 * quarter:  # out of the frame
+            aside = (1 + BOB) * self.cords_length
+            above += max(height, 0.0) + BOB * self.cords_length  # also for the name of ghosts
+        points.append((self.first.x - aside, top + above, 0.0))
+        points.append((self.last.x + aside, top + above, 0.0))
+        lowest = bottom - TO_CAMERA.y * high.z  # what is in front appears lower
         return {
+            "center": [base.pos.x, (lowest + top + above) / 2, 0.0],
             "points": points,
-            "numbers": [number._asdict() for number in self.numbers],
-            "top": top + radius / 2,
-            "base": {
-                "left": left,
-                "right": right,
-                "height": bottom + base_height(cords_length) / 2,
-            },
-            "text_height": TEXT,
+            "numbers": self.numbers,
             "finger": FINGER,
         }
 
 
-def base_height(cords_length: float) -> float:
-    """Return the height (m) of the base of a cradle with cords of this length (m)."""
-    return 0.1 * cords_length
+def make_frame(first: vector, last: vector, depth: float, cords_length: float) -> list:
+    """Return two rails with four posts, and the base.
 
-
-def make_frame(size: Size) -> list:
-    """Return two rails from left to right, four posts and the base."""
-    left, right, top, bottom, depth, cords_length, _ = size
-    thickness = cords_length / 50
-    length = right - left
-    overhang = 2 * OVERHANG * cords_length
+    first and last are the places of the outer axles, depth (m) is from rail to rail.
+    """
+    left, right = first.x - TO_POSTS * cords_length, last.x + TO_POSTS * cords_length
+    top, bottom = first.y, first.y - TO_BASE * cords_length
+    thickness = cords_length / 25
     frame = []
-    for z in (-depth / 2, depth / 2):
-        rail = vector(length + 2 * thickness, 0, 0)
-        frame.append(make_bar(vector(left - thickness, top, z), rail, thickness))
+    beside = (depth + thickness) / 2  # the axles end at the rails
+    for z in (-beside, beside):
+        frame.append(make_rod(vector(left, top, z), vector(right - left, 0, 0), thickness))
         for x in (left, right):
-            frame.append(make_bar(vector(x, bottom, z), vector(0, top - bottom, 0), thickness))
-    base = make_shape(
-        box,
-        pos=vector((left + right) / 2, bottom, 0),
-        size=vector(length + overhang, base_height(cords_length), depth + overhang),
-        texture=textures.wood,
-    )
+            frame.append(make_rod(vector(x, bottom, z), vector(0, top - bottom, 0), thickness))
+            place = vector(x, top, z)
+            frame.append(make_shape(simple_sphere, pos=place, radius=thickness / 2, **CHROME))
+    overhang = 2 * OVERHANG * cords_length
+    size = vector(right - left + overhang, BASE * cords_length, depth + overhang)
+    middle = vector((left + right) / 2, bottom - size.y / 2, 0)
+    base = make_shape(box, pos=middle, size=size, texture=textures.wood, color=DARK)
     return [*frame, base]
 
 
-def make_bar(pos: vector, axis: vector, radius: float) -> cylinder:
-    """Return a bar of steel."""
-    return make_shape(cylinder, pos=pos, axis=axis, radius=radius, color=STEEL)
+def make_rod(pos: vector, axis: vector, thickness: float) -> cylinder:
+    """Return a rod of chrome."""
+    return make_shape(cylinder, pos=pos, axis=axis, radius=thickness / 2, **CHROME)

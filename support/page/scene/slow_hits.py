@@ -1,40 +1,35 @@
-"""Slow hits: when a series of hits comes, the time holds, and you see one hit after the other."""
+"""Slow hits: when a series of hits comes, the time holds, and each hit waits until you go on."""
 
-from collections import deque
 from collections.abc import Sequence
 from math import inf
-from typing import NamedTuple
+from reprlib import Repr
+from typing import Any, NamedTuple
 
-from support.constants import G, R_PARAM
-from support.cradle.cradle import Cradle
 from support.cradle.hits import Hit
-from support.cradle.motion import digits_for, signed
-from support.energy import energies
+from support.cradle.motion import Motion, signed
 from support.pendulum import Pendulum
 
-EACH = 1.2  # s that each hit is shown
-FAINTEST = 0.3  # of the arrows of a hit
-PINK = "Pink: the changes of momentum. "
-CAPTION = "The program computes the hits pair by pair."
-# Headings of the table; those WITH_MASS would tell a hidden value.
-VELOCITY = "velocity (m/s)"
-MEAN_VELOCITY = "mean velocity (m/s)"  # of a double pendulum's two bobs
-WITH_MASS = "change of momentum (kg m/s)", "kinetic energy (J)"
+MOST = 50  # hits in the table
+VELOCITY = "velocity (m/s)"  # of a double pendulum, the mean one of its bobs
+
+SHORT = Repr()  # writes a list of dictionaries as [{...}, {...}]
+SHORT.maxlevel = 1
 
 
 class SlowHit(NamedTuple):
     """A hit to show."""
 
     hit: Hit
-    number: int  # in its series
     pend_list: list[Pendulum]  # all pendula as after it
+    row: dict[str, Any]  # its texts
 
 
 class SlowHits:
-    """The hits to show, in the order in which a tick has made them."""
+    """The hits of one series, in the order in which the ticks have made them."""
 
-    def __init__(self, cradle: Cradle) -> None:
-        self.cradle = cradle
+    def __init__(self, motion: Motion) -> None:
+        self.motion = motion
+        self.cradle = motion.cradle
         self.is_on = False
         self.clear()
 
@@ -44,18 +39,17 @@ class SlowHits:
         self.clear()
 
     def clear(self) -> None:
-        """Forget waiting hits: for a new cradle, or when Slow hits is switched."""
-        self.waiting: deque[SlowHit] = deque()
-        self.current: SlowHit | None = None
-        self.until = 0.0  # the time on the pace's clock at which the next one comes
-        # Of this series: the number and the time (s) of its last hit.
-        self.count = 0
-        self.last = -inf
+        """Forget all hits: for a new series, or a new cradle, or when Slow hits is switched."""
+        self.series: list[SlowHit] = []
+        self.place = 0  # in the series: of the hit that is shown, or of the next one that comes
+        self.count = 0  # hits of the series
+        self.last = -inf  # s: the time of its last hit
+        self.is_left = False  # whether its hits do not wait any more
 
     def add(self, hits: Sequence[Hit], time: float, fast_speed: float) -> None:
         """Take the hits of the last few ticks that are not slower than fast_speed (m/s).
 
-        time (s) is the simulated time.
+        time (s) is the simulated time. It stands while a hit waits: so none waits now.
         """
         pend_list = list(self.cradle.pend_list)
         for hit in reversed(hits):  # back to the velocities before them
@@ -64,74 +58,72 @@ class SlowHits:
             pend_list[hit.left], pend_list[hit.right] = hit.after
             if hit.speed < fast_speed:
                 continue
-            if time - self.last > 2 * self.cradle.series_pause:  # a new series
-                self.count = 0
-            self.count += 1
+            if time - self.last > 2 * self.cradle.series_pause:
+                self.clear()
             self.last = time
-            self.waiting.append(SlowHit(hit, self.count, list(pend_list)))
+            self.count += 1
+            self.series.append(SlowHit(hit, list(pend_list), self.row(hit)))
+        if self.is_left:
+            self.leave()
 
-    def go_on(self, now: float, is_running: bool) -> None:
-        """Go on to the next hit if it is due now (s), on the pace's clock.
+    @property
+    def current(self) -> SlowHit | None:
+        """The hit that is shown, and waits until you go on."""
+        return self.series[self.place] if self.waits() else None
 
-        While the cradle is paused, a hit stays.
-        """
-        is_due = is_running and now >= self.until
-        if self.current is None or is_due:
-            self.show_next(now)
+    def waits(self) -> bool:
+        """Return whether a hit is shown, and waits until you go on."""
+        return self.place < len(self.series)
 
-    def show_next(self, now: float) -> None:
-        """Show the next hit from now (s) on, or none if there is none left."""
-        self.current = self.waiting.popleft() if self.waiting else None
-        self.until = now + EACH
+    def show_next(self) -> None:
+        """Show the next hit; after the last one, none."""
+        if self.waits():
+            self.place += 1
+
+    def leave(self) -> None:
+        """Take the rest of this series into the table, and show none of it."""
+        self.is_left = True
+        del self.series[:-MOST]
+        self.place = len(self.series)
 
     def shown_pendula(self) -> list[Pendulum]:
         """Return the pendula as they are shown: as after the hit, or as they are now."""
         return self.current.pend_list if self.current else self.cradle.pend_list
 
-    def fade(self, now: float, is_running: bool) -> float:
-        """Return how strong the arrows of a hit still are; 1 is full, as while paused.
+    def state(self) -> list[dict[str, Any]]:
+        """Return the hits of this series so far, at most MOST: a row of the table for each."""
+        shown = self.series[: self.place + 1]
+        return [{**hit.row, "now": hit is self.current} for hit in shown[-MOST:]]
 
-        now (s) is on the pace's clock.
-        """
-        if self.current is None or not is_running:
-            return 1.0
-        return max(FAINTEST, round((self.until - now) / EACH, 2))
+    # --- texts ---------------------------------------------------------------------------------
 
-    def state(self) -> dict | None:
-        """Return what the page says of the hit: rows of a table and a caption; or None."""
-        if not self.current:
-            return None
-        hit = self.current.hit
-        is_single = self.cradle.cord_count == 1
-        is_hidden = bool(self.cradle.hidden)
-        digits = digits_for(max(self.cradle.top_speeds()))
-        heading = [f"Hit {self.current.number}", VELOCITY if is_single else MEAN_VELOCITY]
-        if not is_hidden:
-            heading += WITH_MASS
-        rows = [heading]
-        for i, old, new in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
-            before, after = self.shown_velocity(old), self.shown_velocity(new)
-            row = [
-                f"{'bob' if is_single else 'pendulum'} {i + 1}",
-                f"{signed(before, digits)} → {signed(after, digits)}",
-            ]
-            if not is_hidden:
-                change = self.cradle.whole_mass(new) * (after - before)
-                row += [signed(change), f"{kinetic_as_text(old)} → {kinetic_as_text(new)}"]
-            rows.append(row)
-        return {"rows": rows, "caption": CAPTION if is_hidden else PINK + CAPTION}
+    def row(self, hit: Hit) -> dict[str, Any]:
+        """Return the call of a hit, and what it did to both bobs, as texts."""
+        arguments = [self.argument_as_text(value) for value in hit.arguments]
+        for name, value in hit.named.items():
+            text = self.argument_as_text(value) if self.cradle.shows(name) else "?"
+            arguments.append(f"{name}={text}")
+        bobs = [*map(self.changes, (hit.left, hit.right), hit.before, hit.after)]
+        call = f"{self.cradle.collide_name}({', '.join(arguments)})"
+        return {"call": f"{self.count}. {call}", "bobs": bobs}
 
-    def shown_velocity(self, pend: Pendulum) -> float:
-        """Return the velocity of a bob along its arc (m/s), as handle_collision has it.
+    def argument_as_text(self, value: Any) -> str:
+        """Return an argument as a programmer reads it: the place of a pendulum, or a value."""
+        index = self.cradle.index_of(value)
+        return SHORT.repr(value) if index is None else f"pend_list[{index}]"
 
-        Of a double pendulum, it is the mean velocity of its bobs to the right.
-        """
-        if self.cradle.cord_count == 1:
-            return R_PARAM * pend["omega"]
-        return self.cradle.velocity(pend)
+    def changes(self, index: int, old: Pendulum, new: Pendulum) -> dict[str, str]:
+        """Return what a hit did to a pendulum, by the headings of the table."""
+        cradle, motion = self.cradle, self.motion
+        texts = {"no.": str(index + 1)}
+        for key in cradle.rate_keys:
+            texts[f"{key} (rad/s)"] = change(old[key], new[key], motion.digits)
+        texts[VELOCITY] = change(cradle.velocity(old), cradle.velocity(new), motion.digits)
+        before, after, _ = motion.momenta([old, new])
+        texts["momentum (kg m/s)"] = change(before, after, motion.momentum_digits)
+        return cradle.without_hidden(texts)
 
 
-def kinetic_as_text(pend: Pendulum) -> str:
-    """Return the kinetic energy of a pendulum (J) as text."""
-    kinetic, _ = energies([pend], R_PARAM, G)
-    return f"{kinetic:.3f}" if kinetic < 1e4 else f"{kinetic:.2e}"
+def change(old: float, new: float, digits: int) -> str:
+    """Return a number before and after a hit, with so many digits behind the point."""
+    return f"{signed(old, digits)} → {signed(new, digits)}"

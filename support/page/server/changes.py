@@ -45,7 +45,7 @@ class Changes:
         self.number += 1
         for cmd in cmds:
             names = ["cmd"] if "cmd" in cmd else sorted(cmd.keys() - {"idx"})
-            self.put(self.drawing, (cmd["idx"], *names), cmd)
+            self.put(self.drawing, " ".join([str(cmd["idx"]), *names]), cmd)
         for text in attrs:
             self.put(self.drawing, attribute_in(text), text)
         for name, value in state.items():
@@ -56,23 +56,33 @@ class Changes:
         changed.pop(key, None)
         changed[key] = (self.number, change)
 
-    def message(self, has: int) -> bytes:
-        """Return all that is later than the delivery with the number `has` as one message."""
+    def later(self, has: int) -> dict[str, dict]:
+        """Return what is later than the delivery with the number `has`, each change by its key."""
         drawing = later(self.drawing, has)
         for key in [*drawing]:
             # A shape is made with its last texture: glow.min.js mixes up two that it loads.
-            is_texture = isinstance(key, tuple) and key[1] == "texture"
-            maker = (key[0], "cmd")
-            if is_texture and maker in drawing:
+            number, _, name = key.partition(" ")
+            maker = f"{number} cmd"
+            if name == "texture" and maker in drawing:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
+        return {"drawing": drawing, "state": later(self.state, has)}
+
+    def message(self, has: int) -> bytes:
+        """Return all that is later than the delivery with the number `has` as one message."""
+        found = self.later(has)
+        drawing = found["drawing"].values()
         message = {
             "number": self.number,
-            "cmds": [change for change in drawing.values() if isinstance(change, dict)],
-            "attrs": [change for change in drawing.values() if isinstance(change, str)],
-            "state": later(self.state, has),
+            "cmds": [change for change in drawing if isinstance(change, dict)],
+            "attrs": [change for change in drawing if isinstance(change, str)],
+            "state": found["state"],
         }
-        # A student's number can be numpy's.
-        return json.dumps(message, separators=(",", ":"), default=float).encode()
+        return as_json(message).encode()
+
+
+def as_json(found: object) -> str:
+    """Return this as JSON; a student's number can be numpy's."""
+    return json.dumps(found, separators=(",", ":"), default=float)
 
 
 def attribute_in(text: str) -> str:

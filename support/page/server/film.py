@@ -1,30 +1,26 @@
 """The film of the present run: the pictures that tabs were given, to be saved as a file.
 
-A picture (a frame) is a message to a tab: what has changed since the picture before it. A whole
-picture (a key frame) has all, as for a new tab: the film begins with one, and you can begin to look
-at each of them.
+A picture has what has changed since the picture before it, the first one has all.
 """
 
 import time
 from collections import deque
 from collections.abc import Callable
 from math import inf
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from support.page.server.changes import Changes
 
 PICTURE = 0.03  # s from picture to picture, at least
-WHOLE = 5.0  # s from one whole picture to the next one, at least
-KEPT = 30.0  # s: of a longer run, the film of a page keeps the end, up to WHOLE more
+KEPT = 30.0  # s: of a longer run, the film of a page keeps the end
 LONGEST_PAUSE = 3.0  # s: the film shortens a longer pause to this
 
 
 class FilmPicture(NamedTuple):
-    """A picture of a film."""
+    """A picture of a film: its time (s since the start of the run), and its changes."""
 
-    time: float  # s since the start of the run
-    message: bytes
-    is_whole: bool
+    time: float
+    changes: dict[str, dict]  # as Changes.later returns them
 
 
 class Film:
@@ -42,7 +38,6 @@ class Film:
         self.has = 0  # the number of the last delivery in it
         self.last_look = -inf  # on the clock: when the last picture was taken
         self.time = 0.0  # s of the film, up to this picture
-        self.last_whole = -inf  # s of the film
 
     def take(self, changes: Changes, at_once: bool = False) -> None:
         """Take a picture if it is due, or at once, of what is later than the last one."""
@@ -52,18 +47,20 @@ class Film:
             return
         if self.pictures:
             self.time += min(gap, LONGEST_PAUSE)
-        is_whole = self.time - self.last_whole >= WHOLE
-        message = changes.message(0 if is_whole else self.has)
-        self.pictures.append(FilmPicture(self.time, message, is_whole))
+        self.pictures.append(FilmPicture(self.time, changes.later(self.has)))
         self.has = changes.number
         self.last_look = now
-        if is_whole:
-            self.last_whole = self.time
-            self.forget_start()
+        while self.time - self.pictures[0].time > self.kept:
+            self.forget_first()
 
-    def forget_start(self) -> None:
-        """Drop the first pictures, up to a whole one, if the rest is long enough."""
-        later = [picture.time for picture in self.pictures if picture.is_whole][1:]
-        if later and self.time - later[0] >= self.kept:
-            while self.pictures[0].time < later[0]:
-                self.pictures.popleft()
+    def forget_first(self) -> None:
+        """Begin with the second picture: it then has all."""
+        first = self.pictures.popleft().changes
+        second = self.pictures[0].changes
+        for part in second:
+            second[part] = {**without(first[part], second[part]), **second[part]}
+
+
+def without(old: dict[Any, Any], new: dict[Any, Any]) -> dict[Any, Any]:
+    """Return the old changes that no new one replaces."""
+    return {key: change for key, change in old.items() if key not in new}

@@ -15,6 +15,7 @@ from math import inf
 from typing import Any
 
 from support.files.experiments import YOUR_CSV
+from support.page.server.changes import as_json
 from support.page.server.film import FilmPicture
 from support.page.server.web_files import (
     content_of,
@@ -26,7 +27,7 @@ from support.page.server.web_files import (
 
 # Of the state; the rest is for controls, or names files of this machine.
 STATE_OF_RUN = (
-    "title", "question", "unknown", "hit", "motion", "bars", "curves", "view", "summary", "ended",
+    "title", "question", "unknown", "hits", "motion", "bars", "curves", "view", "summary", "ended",
 )  # fmt: skip
 CURVES = 0.4  # s from one state of the graph to the next: it is most of the film
 LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")
@@ -58,7 +59,6 @@ def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
     html = html.replace("<!doctype html>", f"<!doctype html>\n<!--\n{licence()}\n-->", 1)
     html = html.replace('<html lang="en">', '<html lang="en" class="recorded">', 1)
     html = html.replace(LIVE, "\n".join(player), 1)
-    html = re.sub(r"(?s)<main.*</template>", lambda places: filled_at_start(places[0]), html)
     html = re.sub(r"(?s)<script[^>]* data-served>.*?</script>\n", "", html)
     html = re.sub(
         r'<link rel="stylesheet" href="(.*?)">',
@@ -71,12 +71,6 @@ def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
         html,
     )
     return html.encode()
-
-
-def filled_at_start(places: str) -> str:
-    """Return an element that places.js fills with these places."""
-    text = script(' type="text/html" class="empty-places"', places)
-    return f'{text}\n<div class="places"></div>'
 
 
 def script(attributes: str, text: str) -> str:
@@ -93,31 +87,29 @@ def pictures_for_player(pictures: Sequence[FilmPicture]) -> list[dict[str, Any]]
     """Return pictures as run.js has them: with times (s), and numbers as exact as can be seen."""
     last_curves = -inf  # s
     for_player = []
-    for time, message, is_whole in pictures:
-        picture = json.loads(message, parse_float=rounded)
+    for time, changes in pictures:
+        picture = json.loads(as_json(changes), parse_float=rounded)
         state = {name: value for name, value in picture["state"].items() if name in STATE_OF_RUN}
-        if is_whole or time - last_curves >= CURVES:
+        if time - last_curves >= CURVES:
             last_curves = time
         else:
             state.pop("curves", None)
-        controls = picture["state"].get("controls") if is_whole else None
-        if controls and controls["experiment"]["value"] != YOUR_CSV:
-            state["title"] = f"{state['title']}: {controls['experiment']['value']}"
+        if "title" in state:
+            name = picture["state"]["controls"]["experiment"]["value"]
+            if name != YOUR_CSV:
+                state["title"] += f": {name}"
         if state.get("ended"):
             state["ended"] = QUOTED_PATH.sub(r"'\1'", state["ended"])
-        for_player.append(
-            {
-                "time": time - pictures[0].time,
-                "whole": is_whole,
-                "cmds": picture["cmds"],
-                "attrs": [
-                    LONG_NUMBER.sub(lambda number: str(rounded(number[0])), text)
-                    for text in picture["attrs"]
-                ],
-                "state": state,
-            }
-        )
+        drawing = {key: shortened(change) for key, change in picture["drawing"].items()}
+        for_player.append({"time": time - pictures[0].time, "drawing": drawing, "state": state})
     return for_player
+
+
+def shortened(change: Any) -> Any:
+    """Return a change of the drawing with shorter numbers in its text."""
+    if isinstance(change, dict):
+        return change
+    return LONG_NUMBER.sub(lambda number: str(rounded(number[0])), change)
 
 
 def rounded(number: str) -> float:

@@ -19,7 +19,7 @@ def keyless_files() -> dict[str, bytes | Path]:
     """Return the files that need no key, by name: the content or the path."""
     files = files_for_a_browser()
     for path in WEB.iterdir():
-        if path.suffix in (".js", ".css"):
+        if path.suffix in (".js", ".css", ".jpg"):
             files[path.name] = path
     files["names.js"] = names_as_module().encode()
     return files

@@ -1,13 +1,11 @@
 // VPython's canvas in this tab: its size, its color, its name, and the loss of the graphics driver.
 // It has a camera (camera.js), and it can be touched (mouse.js).
 import { fit, follow, limit, look } from "camera";
-import { colorOf } from "colors";
-import { canDraw, canvasElement, coordinates, draw, scene } from "glow";
+import { canDraw, canvasElement, clearBackground, draw, scene } from "glow";
 import { showGhosts } from "ghosts";
-import { endPicture, light } from "light";
+import { castShadows, endPicture } from "light";
 import { listen } from "mouse";
-import { notice, one, remember, show, state, update } from "page";
-import { isOpen } from "program";
+import { notice, one, show, state, update } from "page";
 
 let hasBegun = false;
 
@@ -18,14 +16,9 @@ export function showPicture({ state: changes, ...drawing }) {
   if (canDraw) draw(drawing);
   Object.assign(state, changes);
   for (const name in changes) update(/** @type {any} */ (name));
-  showYourGhosts();
-}
-
-// Show the ghosts of your answer, in the picture of now.
-export function showYourGhosts() {
   if (!hasBegun) return;
   showGhosts();
-  light();
+  castShadows();
 }
 
 show("view", view => { // the first one comes with the canvas
@@ -37,16 +30,15 @@ show("view", view => { // the first one comes with the canvas
 function begin() {
   hasBegun = true;
   const element = canvasElement();
-  look(history.state?.forward);
-  remember({ forward: null });
+  look();
   listen();
   // The first picture waits for the bobs and their textures: one without them would only delay it.
-  scene().waitfor_textures = true;
+  Object.assign(scene(), { waitfor_textures: true, userpan: false });
   scene().bind("textures", () => scene().waitfor_textures = !scene().objects.length);
   scene().bind("draw_complete", endPicture);
   element.addEventListener("webglcontextlost", stopDrawing);
-  element.addEventListener("webglcontextrestored", loadAgain);
-  scene().background = colorOf("--back");
+  element.addEventListener("webglcontextrestored", () => location.reload());
+  clearBackground();
   resize();
   setInterval(describe, 1000);
   requestAnimationFrame(watch);
@@ -80,14 +72,4 @@ function stopDrawing(event) {
   event.preventDefault(); // or the browser would not restore it
   scene().visible = false; // or VPython would show alerts
   one(".lost").hidden = false;
-}
-
-// As soon as the program can be reached; the camera then looks in the same direction.
-function loadAgain() {
-  remember({ forward: coordinates(scene().forward) });
-  const timer = setInterval(() => {
-    if (!isOpen()) return;
-    clearInterval(timer);
-    location.reload();
-  }, 100);
 }

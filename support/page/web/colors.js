@@ -1,4 +1,4 @@
-// The colors of the page (page.css), and colors that can be seen on it.
+// The colors of the page (style.css), and colors that can be seen on it.
 import { rgb, vec } from "glow";
 import { css } from "page";
 

@@ -1,10 +1,9 @@
 // The controls: made and filled as the program declares them (declarations.py), and the buttons.
-import { find, make, show, state, update } from "page";
+import { find, make, show, update } from "page";
 import { send, set, sliders } from "program";
 
-const SETTLING = 600; // ms after which a control shows what the program says
-let moved; // the slider that you have just moved
-let timer;
+// The program may still say an older value of a slider that you have left.
+const showLater = () => setTimeout(update, 600, "controls");
 
 const makers = {
   Switch({ name, label }) {
@@ -14,7 +13,7 @@ const makers = {
   Slider({ name, label, step }) {
     return make("div", { className: "slider" },
       make("label", { htmlFor: name }, label),
-      make("input", { type: "range", id: name, name, step }),
+      make("input", { type: "range", id: name, name, step, onblur: showLater }),
       make("output", { htmlFor: name }),
     );
   },
@@ -29,16 +28,14 @@ const fillers = {
   },
   Slider(slider, { min, max, text, value }) {
     Object.assign(slider, { min, max });
-    const isMoving = slider.matches(":active") || slider === moved;
-    if (!isMoving) slider.value = value;
+    // While you move it, by the mouse or by keys, the program may still say an older value.
+    if (!slider.matches(":active, :focus")) slider.value = value;
     slider.nextElementSibling.value = text;
     slider.setAttribute("aria-valuetext", text);
   },
   Menu(menu, { choices, value }) {
-    const old = [...menu.options].map(option => option.value);
-    const isNew = JSON.stringify(old) !== JSON.stringify(choices);
-    if (isNew) menu.replaceChildren(...choices.map(choice => new Option(choice, choice)));
-    if (isNew || !menu.matches(":active")) menu.value = value;
+    menu.replaceChildren(...choices.map(choice => new Option(choice)));
+    menu.value = value;
   },
 };
 
@@ -49,8 +46,6 @@ show("controls", controls => {
     place.replaceWith(...elements);
   }
   for (const name in controls) fill(name, controls[name]);
-  for (const button of find("[data-set=lifted]"))
-    button.disabled = +button.dataset.value > controls.lifted.max;
 });
 
 function fill(name, control) {
@@ -62,27 +57,17 @@ function fill(name, control) {
 }
 
 addEventListener("click", ({ target }) => {
-  const { do: command, set: control, value } = target.closest?.("button")?.dataset ?? {};
+  const command = target.closest("button")?.dataset.do;
   if (command) send(command);
-  if (control) set(control, JSON.parse(value));
 });
 addEventListener("input", ({ target }) => {
-  if (target.type === "range") {
-    sliders.set(target.name, +target.value);
-    // For a moment, the program may still say an older value.
-    moved = target;
-  }
-  clearTimeout(timer);
-  timer = setTimeout(() => {
-    moved = null;
-    if (state.controls) update("controls");
-  }, SETTLING);
+  if (target.type === "range") sliders.set(target.name, +target.value);
 });
 addEventListener("change", ({ target }) => {
   if (!target.name || target.type === "range") return;
   set(target.name, target.type === "checkbox" ? target.checked : target.value);
 });
 
-for (const fold of find(".fold")) fold.addEventListener("toggle", () => {
+for (const fold of find("details")) fold.addEventListener("toggle", () => {
   if (fold.open) fold.scrollIntoView({ block: "nearest" });
 });

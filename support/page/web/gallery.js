@@ -1,5 +1,6 @@
 // The cradles that you can choose: a small drawn picture of each, as it is before its release.
 import { find, make, one, show, state } from "page";
+import { set } from "program";
 
 const SVG = "http://www.w3.org/2000/svg";
 const CORD = 30; // of the whole pendulum; the lengths are those of the drawing
@@ -11,9 +12,6 @@ show("pictures", pictures => {
   one(".gallery").replaceChildren(...Object.entries(pictures).map(makeTile));
   markTile();
 });
-one(".gallery").addEventListener("click", ({ target }) => {
-  if (target.closest("button")) one("#gallery").hidePopover();
-});
 show("controls", markTile);
 show("changed", markTile);
 show("mistakes", mistakes => {
@@ -21,21 +19,19 @@ show("mistakes", mistakes => {
 });
 
 function makeTile([name, pendula]) {
-  const tile = make("button", { title: name }, drawCradle(pendula), make("span", {}, name));
-  tile.dataset.set = "experiment";
-  tile.dataset.value = JSON.stringify(name);
-  return tile;
+  const onclick = () => {
+    set("experiment", name);
+    one("#gallery").hidePopover();
+  };
+  return make("button", { title: name, onclick }, drawCradle(pendula), make("span", {}, name));
 }
 
 function markTile() {
-  for (const tile of find(".gallery button")) {
-    const isChosen = tile.title === state.controls?.experiment.value;
-    tile.ariaPressed = isChosen;
-    if (!isChosen) continue;
-    const name = state.changed ? `${tile.title}, changed` : tile.title;
-    const word = make("b", {}, "Experiments ▾");
-    one(".choose").replaceChildren(tile.firstChild.cloneNode(true), make("span", {}, name), word);
-  }
+  const chosen = state.controls.experiment.value;
+  for (const tile of find(".gallery button")) tile.ariaPressed = tile.title === chosen;
+  const name = state.changed ? `${chosen}, changed` : chosen;
+  const word = make("small", {}, "Experiments ▾");
+  one(".choose").replaceChildren(drawCradle(state.pictures[chosen]), make("span", {}, name), word);
 }
 
 function draw(kind, attributes, ...parts) {
@@ -48,13 +44,11 @@ function draw(kind, attributes, ...parts) {
 export function drawCradle(pendula) {
   const width = SPACING * (pendula.length - 1);
   const lightest = Math.min(...pendula.map(({ mass }) => mass ?? Infinity));
-  const left = -CORD;
-  const view = `${left} -2 ${width + 2 * CORD} ${CORD + RADIUS * LARGEST_BOB + 4}`;
-  const rail = draw("line", { x1: left / 2, x2: width - left / 2, y1: 0, y2: 0 });
+  const view = `${-CORD} -2 ${width + 2 * CORD} ${CORD + 11}`;
+  const rail = draw("line", { x1: -CORD / 2, x2: width + CORD / 2 });
   const drawing = draw("svg", { viewBox: view, "aria-hidden": true }, rail);
   pendula.forEach(({ color, mass, angles }, number) => {
-    const isHidden = mass === null;
-    const radius = RADIUS * (isHidden ? 1 : Math.min(LARGEST_BOB, Math.cbrt(mass / lightest)));
+    const radius = RADIUS * Math.min(LARGEST_BOB, Math.cbrt((mass ?? lightest) / lightest));
     let [x, y] = [SPACING * number, 0];
     for (const angle of angles) {
       const [x1, y1] = [x, y];
@@ -62,7 +56,7 @@ export function drawCradle(pendula) {
       y += CORD / angles.length * Math.cos(angle);
       drawing.append(draw("line", { x1, y1, x2: x, y2: y }));
       drawing.append(draw("circle", { cx: x, cy: y, r: radius, fill: color }));
-      if (isHidden) drawing.append(draw("text", { x, y: y + 3 }, "?"));
+      if (mass === null) drawing.append(draw("text", { x, y: y + 3 }, "?"));
     }
   });
   return drawing;

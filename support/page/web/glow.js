@@ -12,7 +12,7 @@ vpython.Jupyter_VPython = "";
 // It is jQuery UI's, and glow.min.js calls it; the canvas here follows the window.
 $.fn.resizable = () => {};
 
-export const { vec, label, cylinder, textures, glowObjs: objects } = vpython;
+export const { vec, label, textures, glowObjs: objects } = vpython;
 export const canDraw = !!document.createElement("canvas").getContext("webgl2");
 
 // Firefox's driver may remove an attribute that a shader does not use (opacity). VPython then
@@ -43,6 +43,24 @@ export const plot = (...how) => $.plot(...how);
 export const rgb = color => $.color.parse(color);
 
 export const canvasElement = () => scene().__canvas_element;
+
+// Let the page be seen behind the picture.
+export const clearBackground = () => scene().__opacity = 0;
+
+// Return the image of a texture; then do something as soon as it is there.
+export function imageOf(texture, onload) {
+  return Object.assign(new vpython.Image(), { src: texture.slice(1), onload });
+}
+
+// Let a shape with a texture have what is on this canvas as its own one.
+export function paint(shape, canvas) {
+  const context = canvasElement().getContext("webgl2");
+  shape.ownTexture ??= context.createTexture();
+  shape.__tex.texture_ref.reference = shape.ownTexture;
+  context.bindTexture(context.TEXTURE_2D, shape.ownTexture);
+  context.texImage2D(context.TEXTURE_2D, 0, context.RGBA, context.RGBA, context.UNSIGNED_BYTE, canvas);
+  context.texParameteri(context.TEXTURE_2D, context.TEXTURE_MIN_FILTER, context.LINEAR);
+}
 
 // The canvas has the display's own pixels. VPython takes the mouse's, which are the page's: on a
 // display with twice as many, it would look for the mouse in another place.

@@ -2,30 +2,24 @@
 import { make, one, state } from "page";
 import { send } from "program";
 
-one(".save-run").onclick = async ({ target }) => {
-  const message = one(".unsaved");
-  message.textContent = "";
-  target.disabled = true;
-  try {
-    const name = `${state.controls.experiment.value}.html`;
-    const answer = await fetch(`run.html${location.search}`);
-    if (!answer.ok) throw new Error(`it answers ${answer.status}`);
-    save(name, await answer.blob());
-  } catch ({ message: why }) {
-    message.textContent = `The program did not send the run, so it is not saved (${why}).`;
-  }
-  target.disabled = false;
+one(".save-run").onclick = async () => {
+  const name = `${state.controls.experiment.value}.html`;
+  const answer = await fetch(`run.html${location.search}`).catch(() => null);
+  one(".unsaved").hidden = answer?.ok;
+  if (answer?.ok) save(name, await answer.blob());
 };
 
-function save(download, content) {
+export function save(download, content) {
   const href = URL.createObjectURL(content);
   make("a", { download, href }).click();
   setTimeout(URL.revokeObjectURL, 60_000, href); // the browser has written it by then
 }
 
-// The program refuses a large file.
-one("#ghosts").addEventListener("change", async ({ target }) => {
+// The program gets the bytes, to say why it refuses them, but no more than of the largest file.
+one("#ghosts").onchange = ({ target }) => {
   const [file] = target.files;
-  send("load_ghosts", file.name, await file.slice(0, 1e7 + 1).text());
+  const reader = new FileReader();
+  reader.onload = () => send("load_ghosts", file.name, reader.result);
+  reader.readAsDataURL(file.slice(0, 1e7 + 1));
   target.value = ""; // so that you can choose the same file again
-});
+};

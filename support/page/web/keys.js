@@ -1,61 +1,46 @@
-// The keys of the page.
+// The keys of the page, and the list of them.
 import { resetView } from "camera";
-import { one, state } from "page";
+import { make, one, state } from "page";
 import { present } from "present";
 import { send, set } from "program";
 import { tell } from "readout";
 
-/** @type {Record<string, () => void>} */
-export const keys = {
-  " ": () => send("pause"),
-  ArrowRight: () => send("step"),
-  r: () => send("restart"),
-  n: () => send("next"),
-  p: () => send("previous"),
-  f: () => present(),
-  v: () => resetView(),
-  h: () => set("slow_hits", !state.controls.slow_hits.value),
-  t: () => tell(),
-  "?": () => one("#keys").togglePopover(),
+/** What each key does: in words, and in deed. @type {Record<string, [string, () => void]>} */
+const keys = {
+  " ": ["pause, run", () => send("pause")],
+  ArrowRight: ["one step, or the next hit", () => send("step")],
+  r: ["restart", () => send("restart")],
+  v: ["reset the view", () => resetView()],
+  f: ["present, and end it", () => present()],
+  n: ["next experiment", () => send("next")],
+  p: ["previous experiment", () => send("previous")],
+  h: ["slow hits", () => set("slow_hits", !state.controls?.slow_hits.value)],
+  t: ["tell a screen reader what you would see", () => tell()],
+  "?": ["this list", () => one("#keys").togglePopover()],
 };
+const NAMES = { " ": "Space", ArrowRight: "→" };
 
-// Return whether an element has a use of its own for a key.
-function takes(element, key) {
-  if (element.matches("select, [type=text]")) return true;
-  if (key === " ") return element.matches("button, summary, input:not([type=range])");
-  return key === "ArrowRight" && element.matches("[type=range]");
+for (const key in keys) {
+  const name = make("th", {}, NAMES[key] ?? key.toUpperCase());
+  one("#keys table").append(make("tr", {}, name, make("td", {}, keys[key][0])));
 }
 
-// Return what answers a question with this letter, if there is a question.
-function answerWith(letter) {
-  const number = ["a", "b", "c", "d", "e"].indexOf(letter);
-  if (number >= 0 && state.question) return () => send("answer", state.question.key, number);
-}
-
-addEventListener("keydown", event => {
-  const isPresenting = document.documentElement.classList.contains("presenting");
-  if (event.key === "Escape" && isPresenting) { // without full screen
-    if (!one("#gallery").matches(":popover-open")) present(); // else it only closes the pictures
-    return;
-  }
-  if (event.metaKey || event.ctrlKey || event.altKey || takes(event.target, event.key)) return;
-  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-  const act = keys[key] ?? answerWith(key);
-  if (!act) return;
-  event.preventDefault(); // no key scrolls the page
-  const isHeld = event.repeat && key !== "ArrowRight";
-  if (!isHeld) act();
-});
-
-// A control that you reach with the Tab key keeps its own keys; one that you click gives them back.
+// A control that you reach with the Tab key keeps its own keys; one that you click does not.
 let isByMouse = false;
 addEventListener("pointerdown", () => isByMouse = true, true);
-addEventListener("keydown", () => isByMouse = false, true);
-addEventListener("click", ({ target }) => {
-  if (!target.matches("select, [type=text]")) giveKeysBack();
-});
-addEventListener("change", giveKeysBack);
 
-function giveKeysBack() {
-  if (isByMouse) one(":focus")?.blur();
-}
+addEventListener("keydown", event => {
+  const { target, repeat, metaKey, ctrlKey, altKey } = event;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  if (key === "Tab") isByMouse = false;
+  const isTyped = target.matches("select, [type=text]");
+  const isItsOwn = !isByMouse && target !== document.body && key in NAMES;
+  if (metaKey || ctrlKey || altKey || isTyped || isItsOwn) return;
+  const answer = "abcde".indexOf(key);
+  if (answer >= 0 && state.question) send("answer", state.question.key, answer);
+  if (!keys[key]) return;
+  event.preventDefault(); // no key scrolls the page
+  target.blur(); // Firefox would press a button all the same
+  const isHeld = repeat && key !== "ArrowRight";
+  if (!isHeld) keys[key][1]();
+});

@@ -3,6 +3,7 @@
 import "controls";
 import "gallery";
 import "graph";
+import "hits";
 import "keep";
 import "keys";
 import "questions";
@@ -17,8 +18,7 @@ import { fill, notice, one, remember, show, state, update } from "page";
 import { set, setLine, sliders } from "program";
 
 const SILENT_LOOKS = 4; // looks without a sign of life, after which the page says so
-const LOST_LOOKS = 10; // such looks, after which it connects again
-const FIRST_LOOKS = 60; // such looks before the first message
+const LOST_LOOKS = 20; // such looks, after which it connects again
 
 // Relative to the page, whatever stands before it.
 const address = new URL(`ws${location.search}`, location.href);
@@ -32,19 +32,16 @@ remember({ page: pageName });
 
 let socket;
 let has = 0; // the number of the last message
-let retry; // the timer of the next try
-let delay = 0; // ms until it
 let silence = 0; // looks without a sign of life
 let isHeard = true;
-let isReached = true; // whether the program has answered a request since it was heard last
-let isDone = document.documentElement.matches(".copy"); // whether the page wants no line any more
+let isDone = false; // whether the page wants no line any more
 let unreported = 0; // messages that the program does not know to be drawn
 let seen = 0; // messages whose picture the program does not know of
 let nextWord = 0; // ms: the time of the next word to the program
 
 const isOpen = () => socket?.readyState === WebSocket.OPEN;
 
-setLine({ send, isOpen });
+setLine(send);
 show("ended", message => {
   if (message !== null) finish("ended");
 });
@@ -52,17 +49,14 @@ connect();
 setInterval(look, 1000);
 requestAnimationFrame(countPictures);
 
-// Return whether the program gets the command.
 function send(command) {
   // A bob that is let go must not stay in the air.
-  const isSent = isOpen() && (isHeard || command[0] === "let_go");
-  if (isSent) socket.send(JSON.stringify(command));
-  return isSent;
+  const canSend = isOpen() && (isHeard || command[0] === "let_go");
+  if (canSend) socket.send(JSON.stringify(command));
 }
 
 function connect() { // the program sends what is later than the last message
   if (isDone) return;
-  clearTimeout(retry);
   socket?.close();
   address.searchParams.set("has", `${has}`);
   const line = new WebSocket(address);
@@ -75,51 +69,31 @@ function connect() { // the program sends what is later than the last message
   };
 }
 
-function lose() {
+async function lose() {
   if (isDone) return;
   isHeard = false;
   silence = 0;
   sliders.clear();
-  clearTimeout(retry);
-  retry = setTimeout(connect, delay);
-  delay = Math.min(delay + 1000, 5000);
-  explain();
-}
-
-// Say why the line is cut; a proxy may answer in the program's place.
-async function explain() {
+  setTimeout(connect, 1000);
   const answer = await fetch(`alive${location.search}`).then(answer => answer.text(), () => "");
   if (answer.includes("ends with a key")) finish("ended"); // another start has another key
-  if (isHeard) return;
-  const isAlive = answer === "alive";
-  if (isAlive && isReached) fill(".silence", "no-websocket"); // and yet the last try has failed
-  isReached = isAlive;
 }
 
 function look() { // each second, but seldom in a tab that nobody sees: so it counts looks, not time
   if (isDone) return;
   silence++;
   if (silence > SILENT_LOOKS) isHeard = false;
-  const longest = isOpen() && !has ? FIRST_LOOKS : LOST_LOOKS;
-  if (silence > longest) lose();
+  if (silence > LOST_LOOKS) lose();
   if (!isHeard && !one(".silence").firstChild) fill(".silence", "silence");
 }
 
-function hurry() {
-  if (!isOpen()) connect();
-}
-addEventListener("online", hurry);
-addEventListener("visibilitychange", hurry);
-
 function hear() {
   silence = 0;
-  delay = 0;
   if (!isHeard) showAgain();
   isHeard = true;
 }
 
 function showAgain() {
-  isReached = false;
   one(".silence").replaceChildren();
   for (const name of /** @type {import("page").Value[]} */ (Object.keys(state)))
     if (name !== "sound") update(name); // a control may show a value that was not sent
@@ -138,8 +112,7 @@ function receive(data) {
 // quicker than many.
 function countPictures(now) {
   if (unreported > seen) seen++;
-  const isDue = seen > 2 || ((seen || sliders.size) && now > nextWord);
-  if (isOpen() && isDue) {
+  if (isOpen() && now > nextWord && (seen || sliders.size)) {
     if (seen) socket.send("seen ".repeat(seen));
     // Only the last value of a slider: most of them restart the cradle.
     for (const [name, value] of sliders) set(name, value);

@@ -8,9 +8,7 @@ export function listen() {
   const ray = ({ pos }) => [pos, scene().mouse.ray].map(coordinates);
   scene().bind("mousedown", event => send("grab", ...ray(event)));
   scene().bind("mousemove", event => send("drag", ...ray(event)));
-  scene().bind("mouseup", letGo);
 }
-const letGo = () => send("let_go");
 
 const isCanvas = target => target.matches?.(".canvas canvas"); // a document has no matches
 
@@ -34,7 +32,8 @@ addEventListener("pointermove", event => {
 
 // VPython does not hear of each end of a drag: not of one with two buttons, nor of one that the
 // system ends.
-for (const type of ["pointerup", "pointercancel"]) addEventListener(type, letGo, true);
+for (const type of ["pointerup", "pointercancel"])
+  addEventListener(type, () => send("let_go"), true);
 
 // One finger on a bob drags it at once: VPython would wait whether the finger turns the camera.
 const letTurn = isOn => Object.assign(scene(), { userspin: isOn, userzoom: isOn });

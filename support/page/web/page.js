@@ -67,5 +67,5 @@ export function notice(id) {
   one(".silence").replaceChildren();
   fill(".notice", id);
   one(".notice").classList.add(id);
-  for (const part of find(".canvas, .graph, .panel > :not(.messages, .head)")) part.inert = true;
+  for (const part of find(".canvas, .controls, .graph, .panel > :not(.messages, .head)")) part.inert = true;
 }

@@ -1,13 +1,19 @@
-// Present: the cradle in full screen, for a class.
-import { find } from "page";
+// Present: the page in full screen, with larger letters, for a class.
+import { one } from "page";
+
+const root = document.documentElement;
 
 export function present() {
-  const root = document.documentElement;
-  const isPresenting = root.classList.toggle("presenting");
-  if (isPresenting) root.requestFullscreen?.().catch(() => {});
+  const isOn = !root.matches(".presenting");
+  setPresenting(isOn);
+  if (isOn) root.requestFullscreen?.().catch(() => {}); // a frame may refuse it
   else if (document.fullscreenElement) document.exitFullscreen();
 }
-for (const button of find("button.present")) button.addEventListener("click", present);
-addEventListener("fullscreenchange", () => {
-  document.documentElement.classList.toggle("presenting", !!document.fullscreenElement);
-});
+
+function setPresenting(isOn) {
+  root.classList.toggle("presenting", isOn);
+  one(".present").ariaPressed = `${isOn}`;
+}
+
+one(".present").addEventListener("click", present);
+addEventListener("fullscreenchange", () => setPresenting(!!document.fullscreenElement));

@@ -3,7 +3,7 @@ import { COMMANDS } from "names";
 
 /** @typedef {typeof COMMANDS[number]} Command */
 
-/** @type {{ send: (command: any[]) => any, isOpen: () => boolean }} */
+/** Gives a command to the program. @type {(command: any[]) => any} */
 let line;
 
 /** The last value of each slider that you move. @type {Map<any, number>} */
@@ -14,15 +14,10 @@ export function setLine(newLine) {
   line = newLine;
 }
 
-export const isOpen = () => line.isOpen();
-
-/**
- * Give a command to the program; return whether it will come there.
- * @param {Command} command
- */
+/** @param {Command} command */
 export function send(command, ...values) {
   if (!COMMANDS.includes(command)) throw new Error(`There is no command ${command}.`);
-  return line.send([command, ...values]);
+  line([command, ...values]);
 }
 
 // Set a control (declarations.py) to a value.

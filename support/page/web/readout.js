@@ -1,4 +1,4 @@
-// What the page says of the motion: in numbers, in a sentence, and in bars; and of a hit.
+// What the page says of the motion: in numbers, in a sentence, and in bars.
 import { legible } from "colors";
 import { make, one, show, state } from "page";
 
@@ -18,15 +18,6 @@ show("bars", chart => {
   const parts = chart ? [make("h2", {}, chart.title), ...chart.bars.map(makeBar)] : [];
   one(".momenta").replaceChildren(...parts);
 });
-show("hit", hit => {
-  const place = one(".hit-part");
-  place.replaceChildren();
-  if (!hit) return;
-  place.append(make("table", {}, ...hit.rows.map(cells => {
-    return make("tr", {}, ...cells.map(cell => make("td", {}, cell)));
-  })));
-  place.append(make("small", {}, hit.caption));
-});
 
 // A new element: a screen reader also says a sentence again.
 export function tell() {
@@ -40,7 +31,7 @@ function readoutRow([name, text]) { // its second line is a caption
 }
 
 // A bar to the left or to the right of a line in the middle, which stands for 0.
-function makeBar({ name, text, color, part }) {
+function makeBar([name, text, color, part]) {
   const bar = make("i");
   const width = 50 * Math.abs(part);
   const left = part < 0 ? 50 - width : 50;

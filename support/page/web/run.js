@@ -1,16 +1,16 @@
 // A recorded run, in place of the line to the program: it plays the pictures in this file.
-// All values in a picture are absolute, and a whole picture has all. So a moment is the last whole
-// picture and all later ones up to it.
-import "places"; // first: the other modules look for elements there
+// All values in a picture are absolute, and the first one has all. So a moment is all pictures up to
+// it.
 import "controls";
 import "graph";
+import "hits";
+import "keys";
 import "questions";
 import "readout";
 import "unknown";
-import { showPicture, showYourGhosts } from "canvas";
+import { showPicture } from "canvas";
 import { isShape, objects, takeImagesFrom } from "glow";
-import { keys } from "keys";
-import { css, make, one, show, state, update } from "page";
+import { make, one, show, state, update } from "page";
 import { setLine, sliders } from "program";
 
 const LONGEST_STEP = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
@@ -20,75 +20,58 @@ const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 const files = JSON.parse(one(".textures").textContent); // of the textures, by their names
 const slider = one(".moment");
 
-let pictures = [];
+show("ended", message => one("[data-text=error]").textContent = message ?? "");
+takeImagesFrom(makeTexture);
+const run = contentOf(one(".run").textContent).stream().pipeThrough(new DecompressionStream("gzip"));
+const pictures = await new Response(run).json();
+const last = pictures.length - 1;
+
 let current = -1; // the number of the picture on the page
 let time = 0; // s, of the film
-let lastDrawn = performance.now(); // ms
-let isRunning = false;
+let lastDrawn = 0; // ms
 let speed = 1; // times real time
 
-let recorded; // the question as it was recorded
-let asks = false; // whether it is asked here: the pictures begin before the answer
-const replies = { predicted: null, seen: null }; // yours
+const states = pictures.map(({ state }) => state.question?.state);
+const question = pictures.findLast(({ state }) => state.question?.why)?.state.question;
+const asks = question && states[0] === "running"; // else the film begins later
+const end = asks ? states.indexOf("explained") : Infinity; // of the first swing
+const replies = { asked: null, seen: null }; // yours
+let hasSeen = false; // whether you have seen the first swing
 
 const commands = {
   pause() {
-    if (state.question?.asking) say("Choose an answer first.");
-    else if (isRunning) jump(upTo(current));
-    else if (current === pictures.length - 1) jump(release());
-    setRunning(!isRunning);
+    if (stands()) return say("Choose an answer first.");
+    if (state.running) jump(current);
+    else if (current === last) jump(0);
+    setRunning(!state.running);
   },
-  step: () => isRunning || isWaiting() || jump(Math.max(current, from(current + 1))),
+  step() {
+    if (!state.running && !stands()) jump(current + 1);
+  },
   restart() {
-    replies.predicted = replies.seen = null;
+    replies.asked = replies.seen = null;
+    hasSeen = false;
     jump(0);
-    showQuestion();
+    setRunning(state.running && !asks);
   },
   answer(_, number) {
-    const { asking } = state.question ?? {};
-    if (!asking || number >= recorded.answers.length) return;
-    replies[asking] = number;
-    if (asking === "predicted") again(1);
-    showQuestion();
-    setRunning(true);
+    const { state: asked, answers } = state.question ?? {};
+    if (!(asked in replies) || number >= answers.length) return;
+    replies[asked] = number;
+    swing(1);
   },
-  repeat: slowly => again(slowly ? SLOWLY : 1),
+  repeat: () => swing(SLOWLY),
 };
-// A saved run has no controls, and nothing that one can do before its pictures are there.
-for (const key of ["h", "n", "p", "?"]) delete keys[key];
-setLine({
-  send: ([name, ...values]) => pictures.length && commands[name]?.(...values),
-  isOpen: () => true,
-});
-show("ended", message => one("[data-text=error]").textContent = message ?? "");
-takeImagesFrom(makeTexture);
-load();
-
-async function load() {
-  try {
-    if (!css("--back")) throw new Error("its styles are missing");
-    pictures = await unpack(one(".run").textContent);
-    for (const { state } of pictures)
-      if (state.view) state.view.finger = 0; // nobody drags a bob: a finger on it turns the camera
-    asks = !!pictures[0].state.question && !pictures[0].state.question.happened;
-    document.documentElement.classList.toggle("asks", asks);
-    jump(0);
-  } catch ({ message }) { // the browser is too old, or a site forbids a part of the file
-    const advice = "Open the file in another browser, or from your disk.";
-    one(".instead").textContent = `This run does not play here: ${message}. ${advice}`;
-    document.documentElement.classList.remove("opened");
-    return;
-  }
-  slider.max = pictures.at(-1).time;
-  const isCalm = matchMedia("(prefers-reduced-motion)").matches;
-  setRunning(!isCalm && !state.unknown);
-  requestAnimationFrame(play);
+setLine(([name, ...values]) => commands[name]?.(...values));
+for (const { state } of pictures) {
+  delete state.question; // it is yours now
+  if (state.view) state.view.finger = 0; // nobody drags a bob: a finger on it turns the camera
 }
-
-async function unpack(text) {
-  const stream = contentOf(text).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Response(stream).json();
-}
+slider.max = pictures[last].time;
+jump(0);
+const isCalm = matchMedia("(prefers-reduced-motion)").matches;
+setRunning(!isCalm && !state.unknown && !stands());
+requestAnimationFrame(play);
 
 function contentOf(letters) {
   return new Blob([Uint8Array.from(atob(letters), letter => letter.charCodeAt(0))]);
@@ -109,43 +92,22 @@ async function drawTexture(canvas) {
   canvas.onload();
 }
 
-// A page gets its numbers ten times a second: only a picture with them is right in all.
-function upTo(last) {
-  return pictures.findLastIndex(({ state }, i) => i <= last && state.motion);
-}
-
-function from(first) {
-  return pictures.findIndex(({ state }, i) => i >= first && state.motion);
-}
-
 function setRunning(isOn) {
-  isRunning = isOn && !state.question?.asking;
-  Object.assign(state, { running: isRunning, paused: !isRunning });
+  Object.assign(state, { running: isOn, paused: !isOn });
   update("running");
   update("paused");
 }
 
-// Before you predict, nothing shows what happens.
-const isWaiting = () => !pictures.length || state.question?.asking === "predicted";
-
-// The question as it is for you. The film shows it as it was when it was recorded.
-function yourQuestion() {
-  if (!recorded) return recorded;
-  if (!asks) return { ...recorded, asking: null };
-  return { ...recorded, asking: asked(), replies: { ...replies } };
+function yourState() {
+  if (!asks) return "explained";
+  if (replies.asked === null) return "asked";
+  if (!hasSeen) return "running";
+  return replies.seen === null ? "seen" : "explained";
 }
 
-function asked() {
-  if (replies.predicted === null) return "predicted";
-  return recorded.happened && replies.seen === null ? "seen" : null;
-}
-
-function showQuestion() {
-  state.question = yourQuestion();
-  update("question");
-  showYourGhosts();
-  slider.hidden = isWaiting();
-  say("");
+// Return whether the cradle waits at its release for an answer.
+function stands() {
+  return current === 0 && ["asked", "seen"].includes(state.question?.state);
 }
 
 function say(word) {
@@ -153,14 +115,11 @@ function say(word) {
   update("word");
 }
 
-// Return the number of the picture of the release: a class may have thought for some time.
-function release() {
-  return pictures.findIndex(({ state }) => state.question && state.question.asking !== "predicted");
-}
-
-function again(newSpeed) {
+// Show the first swing, at this speed.
+function swing(newSpeed) {
   speed = newSpeed;
-  jump(release());
+  say("");
+  jump(0);
   setRunning(true);
 }
 
@@ -169,46 +128,70 @@ function play(now) {
   sliders.clear();
   if (place !== undefined) {
     setRunning(false);
-    jump(upTo(pictures.findLastIndex(picture => picture.time <= place)));
+    jump(numberAt(place));
   }
-  if (isRunning) {
+  if (state.running) {
     time += speed * Math.min((now - lastDrawn) / 1000, LONGEST_STEP);
-    go(pictures.findLastIndex(picture => picture.time <= time));
-    if (recorded?.happened) speed = 1;
-    const isLast = current === pictures.length - 1;
-    if (isLast && asks && recorded && !recorded.happened) say("This run was saved before its first swing.");
-    if (isLast || state.question?.asking) setRunning(false);
+    go(numberAt(time));
+    if (current >= end) endSwing();
+    if (current === last) setRunning(false);
   }
   lastDrawn = now;
   requestAnimationFrame(play);
 }
 
-function jump(number) {
-  go(Math.max(number, 0));
-  time = pictures[current].time;
+function numberAt(time) {
+  return pictures.findLastIndex(picture => picture.time <= time);
 }
 
-// Go to the picture with this number.
+// Ask what you have seen; the cradle then stands as at the release.
+function endSwing() {
+  speed = 1;
+  hasSeen = true;
+  if (replies.seen !== null) return;
+  jump(0);
+  setRunning(false);
+}
+
+// A page gets its numbers ten times a second: only a picture with them is right in all.
+function jump(number) {
+  const next = pictures.findIndex(({ state }, i) => i >= number && state.motion);
+  go(next < 0 ? last : next);
+  time = pictures[current].time;
+  if (question) state.question = { ...question, state: yourState(), replies };
+  update("question");
+  slider.hidden = stands();
+}
+
+// Go to the picture with this number: what has changed since the one that is shown, or since the first.
 function go(number) {
   if (number === current) return;
-  let first = pictures.findLastIndex((picture, i) => picture.whole && i <= number);
-  if (number > current) first = Math.max(first, current + 1);
-  const some = pictures.slice(first, number + 1);
-  if (some[0].whole) hideAll();
-  const changes = Object.assign({}, ...some.map(picture => picture.state));
-  if ("question" in changes) recorded = changes.question;
+  const isLater = number > current;
+  if (!isLater) hideAll();
+  const some = pictures.slice(isLater ? current + 1 : 0, number + 1);
+  const drawing = merged(some);
   showPicture({
-    cmds: some.flatMap(picture => picture.cmds.flatMap(asChange)),
-    attrs: some.flatMap(picture => picture.attrs),
-    state: { ...changes, question: yourQuestion() },
+    cmds: drawing.filter(change => change.idx !== undefined).flatMap(asChange),
+    attrs: drawing.filter(change => change.idx === undefined),
+    state: Object.assign({}, ...some.map(picture => picture.state)),
   });
   current = number;
-  slider.hidden = isWaiting();
   slider.value = pictures[number].time;
-  slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`.trim());
+  slider.setAttribute("aria-valuetext", `t ${state.motion?.t}`);
 }
 
-// What was made later must not be seen; a whole picture shows again what is there.
+// Return the last change by each key; the order matters.
+function merged(some) {
+  const last = new Map();
+  for (const { drawing } of some)
+    for (const key in drawing) {
+      last.delete(key);
+      last.set(key, drawing[key]);
+    }
+  return [...last.values()];
+}
+
+// What was made later must not be seen; the makers of what is there show it again.
 function hideAll() {
   for (const shape of objects.filter(isShape)) shape.visible = false;
 }

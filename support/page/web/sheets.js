@@ -9,9 +9,8 @@ one(".print-sheets").addEventListener("click", () => {
 });
 addEventListener("afterprint", () => one(".sheets").replaceChildren());
 
-const SPEEDS = `Velocities (m/s) before and after the first hit:
-  left bob v = ______, v' = ______; right bob w = ______, w' = ______`;
 const paragraph = (...parts) => make("p", {}, ...parts);
+const ruled = () => make("div", { className: "ruled" });
 
 function makeSheet([name, { question, answers }]) {
   return make("article", {},
@@ -19,18 +18,22 @@ function makeSheet([name, { question, answers }]) {
     make("h2", {}, name),
     paragraph(question),
     make("div", { className: "sketch" }, drawCradle(state.pictures[name])),
-    ...answers.length ? toPredict(answers) : [paragraph(SPEEDS)],
-    paragraph("I measured: ______ m/s, ______ degrees, ____ half swings in ______ s."),
-    ...answers.length ? [] : [paragraph("My value: ______, because"), ruled()],
+    ...answers.length ? toPredict(answers) : toMeasure(),
   );
 }
-
-const ruled = () => make("div", { className: "ruled" });
 
 const toPredict = answers => [
   make("ol", { type: "A" }, ...answers.map(answer => make("li", {}, answer))),
   paragraph("I predict ______ because"),
   ruled(),
   paragraph("I saw ______ (sketch it in the picture)."),
+  ruled(),
+];
+
+const toMeasure = () => [ // a hidden value
+  paragraph("I measured, before and after the first hit (m/s):"),
+  paragraph("left bob: v = ______, v' = ______"),
+  paragraph("right bob: w = ______, w' = ______"),
+  paragraph("My value: ______, because"),
   ruled(),
 ];

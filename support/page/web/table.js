@@ -1,71 +1,58 @@
-// The table of the pendula: mass and e, which you can change, and the coordinates as they move.
-import { find, make, one, show, state } from "page";
+// The fold "The bobs": pend_list as a table, live, with numbers that you can change, and its CSV.
+import { save } from "keep";
+import { make, one, show, state } from "page";
 import { send } from "program";
 
-const [head, body] = find(".pendula > *");
-let cells = {}; // of the coordinates, by their names
-let editors = {}; // of mass and e, by "row,column"
+const table = one(".pendula");
 let shape;
+let ticket; // of the CSV that this page has asked for
 
-for (const name of /** @type {const} */ (["keys", "table", "refused", "unknown"])) show(name, showTable);
-show("now", showNumbers);
-one(".programmers").addEventListener("toggle", showNumbers);
-
-function showTable() {
-  const newShape = `${state.table.mass.length} ${state.keys}`;
-  if (shape !== newShape) build();
+show("table", columns => {
+  const newShape = String(columns.map(({ title, limits, texts }) => [title, limits, texts.length]));
+  if (shape !== newShape) build(columns);
   shape = newShape;
-  for (const place in editors) showEditor(place, editors[place]);
-  showNumbers();
-}
+  columns.forEach(({ texts }, column) => texts.forEach((text, row) => {
+    const cell = table.rows[row + 1].cells[column + 1];
+    const [field] = cell.children;
+    if (!field) cell.textContent = text;
+    else if (field !== document.activeElement) fill(field, text);
+  }));
+});
 
-function showNumbers() {
-  if (!one(".programmers").open) return;
-  for (const name in cells) cells[name].textContent = state.now[name] ?? "";
-}
-
-function build() {
-  cells = {};
-  editors = {};
-  const names = ["row", ...state.columns, ...state.keys];
-  const titles = names.map(name => make("th", { scope: "col" }, name));
-  head.replaceChildren(make("tr", {}, ...titles));
-  body.replaceChildren(...state.table.mass.map((_, row) => makeRow(row)));
-}
-
-function makeRow(row) {
-  const line = make("tr", {}, make("th", { scope: "row" }, String(row + 1)));
-  for (const column of state.columns) line.append(makeEditor(row, column));
-  for (const key of state.keys) {
-    const cell = make("td", { className: "now" });
-    cells[`${key}_${row + 1}`] = cell;
-    line.append(cell);
-  }
-  return line;
-}
-
-function makeEditor(row, column) {
-  const ariaLabel = `${column} of pendulum ${row + 1}`;
-  const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel });
-  const message = make("div", { className: "failed", role: "alert" });
-  field.addEventListener("change", () => {
-    const isSent = send("edit", row, column, field.value);
-    if (isSent) field.defaultValue = field.value;
-    else field.value = field.defaultValue;
+function build(columns) {
+  const titles = columns.map(({ title }) => make("th", { scope: "col" }, title));
+  const rows = columns[0].texts.map((_, row) => {
+    const name = make("th", { scope: "row" }, `pend_list[${row}]`);
+    const fields = columns.map(({ title, limits }) => limits ? makeField(row, title, limits) : "");
+    return make("tr", {}, name, ...fields.map(field => make("td", {}, field)));
   });
-  editors[`${row},${column}`] = { row, column, field, message };
-  return make("td", {}, field, message);
+  table.replaceChildren(make("tr", {}, make("td"), ...titles), ...rows);
 }
 
-function showEditor(place, { row, column, field, message }) {
-  const refusal = state.refused[place];
-  const number = state.table[column][row];
-  const text = refusal?.text ?? number ?? "?"; // "?" is hidden
-  field.disabled = !!state.unknown;
-  const isTyped = field === document.activeElement && field.value !== field.defaultValue;
-  if (!isTyped) field.value = field.defaultValue = text;
-  const isNew = refusal && !message.textContent;
-  if (isNew) one(".programmers").open = true; // a slider can be refused, too
-  field.ariaInvalid = !!refusal;
-  message.textContent = refusal?.message;
+function makeField(row, column, [least, most]) {
+  const ariaLabel = `${column} of pend_list[${row}]`;
+  const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel });
+  field.addEventListener("change", () => {
+    const number = Number(field.value.replace(",", ".") || NaN);
+    const isAllowed = number >= least && number <= most;
+    field.setCustomValidity(isAllowed ? "" : `Type a number from ${least} to ${most}.`);
+    if (field.reportValidity()) send("edit", row, column, number);
+  });
+  return field;
 }
+
+function fill(field, text) {
+  field.value = text;
+  field.setCustomValidity("");
+}
+
+one(".save-csv").onclick = () => {
+  ticket = Math.random();
+  send("save_csv", ticket);
+};
+show("saved_csv", csv => {
+  if (csv.ticket !== ticket) return;
+  one(".unsaved-csv").textContent = csv.mistake;
+  if (csv.text) save(`${state.controls.experiment.value}.csv`, new Blob([csv.text]));
+});
+show("unknown", unknown => one(".save-csv").disabled = !!unknown);

@@ -1,0 +1,127 @@
+// What the tests do and look at in a page, by the names of these functions. All that the modules
+// export which these tests need is global there, too.
+import * as glow from "glow";
+import * as page from "page";
+import * as program from "program";
+import { resetView } from "camera";
+import { present } from "present";
+
+const { bobs, kindOf, scene, vec } = glow;
+const { find, make, one, state } = page;
+const { send, set } = program;
+
+// --- the picture -------------------------------------------------------------------------------
+
+const positions = () => bobs().map(({ pos }) => [pos.x, pos.y]);
+
+const visible = kind => scene().objects.filter(shape => kindOf(shape) === kind);
+
+// Return the x of each shape of this kind that cannot be grabbed.
+const backdrop = kind => visible(kind).filter(({ pickable }) => !pickable).map(({ pos }) => pos.x);
+
+// Return whether the bobs are elsewhere a third of a second later.
+async function moves() {
+  const before = String(positions());
+  await new Promise(resolve => setTimeout(resolve, 333));
+  return String(positions()) !== before;
+}
+
+// Return where a point of the plane of swing is seen: pixels in the window.
+function pixel([x, y]) {
+  const { forward, up, center, range, fov } = scene();
+  const ahead = forward.norm();
+  const sideways = ahead.cross(up).norm();
+  const upwards = sideways.cross(ahead);
+  const arm = vec(x, y, 0).sub(center);
+  const distance = range / Math.tan(fov / 2);
+  const canvas = one(".canvas").getBoundingClientRect();
+  const half = Math.min(canvas.width, canvas.height) / 2;
+  const pixels = half / range * distance / (distance + arm.dot(ahead));
+  return [
+    canvas.x + canvas.width / 2 + pixels * arm.dot(sideways),
+    canvas.y + canvas.height / 2 - pixels * arm.dot(upwards),
+  ];
+}
+
+const cursor = () => getComputedStyle(one(".canvas canvas:last-of-type")).cursor;
+
+// Return the picture of now, as a pen that has drawn it.
+function picture() {
+  scene().__renderer.render(0);
+  const { width, height } = one(".canvas canvas");
+  const pen = make("canvas", { width, height }).getContext("2d", { willReadFrequently: true });
+  pen.drawImage(one(".canvas canvas"), 0, 0);
+  return pen;
+}
+
+// Return how light (as WCAG 2 defines it) the picture is on a white page, at many points of a
+// circle: the median, for each of these circles.
+function lights(circles) {
+  const pen = picture();
+  pen.globalCompositeOperation = "destination-over"; // behind it
+  pen.fillStyle = "white";
+  pen.fillRect(0, 0, pen.canvas.width, pen.canvas.height);
+  const linear = part => part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
+  return circles.map(([x, y, radius]) => {
+    const found = [];
+    for (let angle = 0; angle < 2 * Math.PI; angle += 0.1) {
+      const place = [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
+      const [r, g, b] = [...pen.getImageData(...place, 1, 1).data].map(part => linear(part / 255));
+      found.push(0.2126 * r + 0.7152 * g + 0.0722 * b);
+    }
+    return found.sort((a, b) => a - b)[found.length >> 1];
+  });
+}
+
+// Return which part of what is drawn in the upper half of the canvas is white: rods, cords, bobs.
+function glare() {
+  const { data } = picture().getImageData(0, 0, scene().width, scene().height / 2);
+  let drawn = 0;
+  let white = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    const [red, green, blue, alpha] = data.slice(i, i + 4);
+    if (alpha === 255) drawn += 1;
+    if (alpha === 255 && Math.min(red, green, blue) > 250) white += 1;
+  }
+  return white / drawn;
+}
+
+// --- the state and the controls ----------------------------------------------------------------
+
+let first; // the controls as the page has opened, but without Ask
+
+// Put the settings back to those with which the page opens, pause, and restart the cradle.
+function putBack() {
+  first ??= { ...state.controls, ask: { value: false } };
+  const isOwn = name => name === "speed" || first[name].kind !== "Slider";
+  for (const name of Object.keys(first).filter(isOwn)) set(name, first[name].value);
+  set("experiment", "My cradle"); // once more: as the program has started, and it runs
+  send("pause");
+  if (one("#sound").checked) one("#sound").click();
+  for (const open of find("details[open]")) open.open = false;
+  for (const popover of find("[popover]")) popover.hidePopover();
+  if (document.documentElement.matches(".presenting")) present();
+  one("#small").disabled = false;
+  /** @type {any} */ (document.activeElement).blur();
+  resetView();
+  scene().visible = false;
+}
+
+function isBack() {
+  const isSame = name => state.controls[name].value === first[name].value;
+  return state.paused && parseFloat(state.motion.t) === 0 && Object.keys(first).every(isSame);
+}
+
+// Return what all controls show.
+const settings = () => find("select, input, output").map(({ checked, value }) => [checked, value]);
+
+// Return whether a run has been played to its end. The time of a picture is the slider's value.
+function isOver() {
+  const { valueAsNumber, max } = one(".moment");
+  return valueAsNumber > max - 0.01 && !state.running;
+}
+
+Object.assign(window, glow, page, program, {
+  backdrop, cursor, glare, isBack, isOver, lights, moves, pixel, positions,
+  putBack, settings, visible,
+});
