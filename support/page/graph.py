@@ -81,7 +81,8 @@ class Graph:
         pendula = enumerate(self.cradle.pend_list, start=1)
         momenta = {f"momentum_{i}": momentum([pend], R_PARAM) for i, pend in pendula}
         now = sample["t"]
-        self.samples = {t: old for t, old in self.samples.items() if t >= now - self.span}
+        while (oldest := next(iter(self.samples), now)) < now - self.span:
+            del self.samples[oldest]
         self.samples[now] = sample | momenta
 
     def state(self, start_energy: float) -> dict[str, Any]:
