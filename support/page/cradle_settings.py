@@ -30,7 +30,7 @@ class CradleSettings:
         self.next_cradle = next_cradle
         self.chooser = chooser
         self.motion_keys = [*cradle.angle_keys, *cradle.rate_keys]
-        self.saved: dict[str, float | str] = {}  # what came of the last save_csv
+        self.saved: dict[str, float | str] = {}  # the answer to the last save_csv
 
     def change(self, **changed: object) -> None:
         """Let the program make a cradle with these settings, no longer that of an experiment."""

@@ -69,7 +69,7 @@ class State(TypedDict, total=False):
     mistake_in_ghosts: str
     # The table of the pendula
     table: list[dict[str, Any]]  # its columns
-    saved_csv: dict[str, float | str]  # what came of the last save_csv
+    saved_csv: dict[str, float | str]  # the answer to the last save_csv
 
 
 class Texts(TypedDict):

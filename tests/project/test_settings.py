@@ -190,3 +190,5 @@ def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, t
         assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
         assert len(viewer.cradle.pend_list) == count
         assert (viewer.lesson.state == ASKED) == (path == BUILT_IN)
+    hidden = BUILT_IN.replace("02_two_bobs", "16_an_unknown_mass")
+    assert start("single", f"--experiment {hidden}").viewer.lesson.is_paused

@@ -108,7 +108,7 @@ def test_your_value_is_told_how_far_it_is_off(unknown, text, typed, word):
 
 
 def test_a_value_that_is_found_is_shown_until_the_next_run(unknown):
-    """The next group finds it anew."""
+    """So the next group can find it, too."""
     rig = unknown(MASS)
     for typed, label in (("4", "? kg"), ("3.7", "3.77738 kg")):
         rig.give("check", typed)

@@ -67,7 +67,7 @@ class Marks:
     def surround(self, cradle: Cradle, digits: int) -> None:
         """Take a cradle: a new one, or one in which a bob was dragged.
 
-        A speed has so many digits behind the point.
+        A speed has this number of digits behind the point.
         """
         self.cradle = cradle
         self.digits = digits

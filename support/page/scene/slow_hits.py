@@ -125,5 +125,5 @@ class SlowHits:
 
 
 def change(old: float, new: float, digits: int) -> str:
-    """Return a number before and after a hit, with so many digits behind the point."""
+    """Return a number before and after a hit, with this number of digits behind the point."""
     return f"{signed(old, digits)} → {signed(new, digits)}"
