@@ -12,7 +12,7 @@ from vpython import vector
 from support.columns import SETTABLE
 from support.constants import DT, G, R_PARAM
 from support.cradle.dragging import move, push_others
-from support.energy import bob_motions, energies, momentum
+from support.energy import bob_motions, energies
 from support.files.experiments import Hidden
 from support.files.valid_cradle import CradleCsv, numbers_in
 from support.pendulum import cord_angles, Pendulum
@@ -23,7 +23,7 @@ COUNT = "the number of bobs"
 HANGS = 0.02
 
 # The names of what tells a hidden mass, or a hidden e, at once
-TELLING = re.compile("mass|^e$|csv|energ|kinetic|potential|total|moment")
+TELLING = re.compile("energ|kinetic|potential|total|moment", re.IGNORECASE)
 
 
 class Cradle:
@@ -49,7 +49,7 @@ class Cradle:
     def __init__(self) -> None:
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
-        self.hidden: Hidden | None = None  # a class finds it: see shows
+        self.hidden: Hidden | None = None  # a class finds it
         self.own: list[str] = []  # what the program sets itself: COUNT, or columns of the CSV
         self.made_angles: list[float] = []  # rad: their release angle
         self.lifted = 0  # the number of lifted pendula, at the release or by hand
@@ -198,19 +198,16 @@ class Cradle:
         """Return pend[key] of each pendulum."""
         return [pend[key] for pend in self.pend_list]
 
-    def shows(self, name: str) -> bool:
-        """Return whether what has this name tells nothing that is hidden.
-
-        What leaves for a tab, a file or a record asks this rule.
-        """
-        return not (self.hidden and TELLING.search(name.lower()))
-
     def without_hidden(self, found: Mapping[str, Any]) -> dict[str, Any]:
-        """Return what was found, by its names, without what tells a hidden value."""
-        return {name: value for name, value in found.items() if self.shows(name)}
+        """Return what was found, by its names, without what tells a hidden value.
+
+        A record and the lines in the terminal leave through it, and the state (unknown.py).
+        """
+        is_hiding = self.hidden is not None
+        return {name: found[name] for name in found if not (is_hiding and TELLING.search(name))}
 
     def shown(self, key: str) -> list:
-        """Return pend[key] of each pendulum, with None for what is hidden."""
+        """Return pend[key] of each pendulum, with None for what is hidden: for what is drawn."""
         values = self.values(key)
         if self.hidden and self.hidden.column == key:
             for row in self.hidden.rows:
@@ -258,7 +255,3 @@ class Cradle:
     def whole_mass(self, pend: Pendulum) -> float:
         """Return the mass (kg) of all bobs of a pendulum."""
         return pend["mass"] * self.cord_count
-
-    def momentum(self) -> float:
-        """Return the momentum to the right (kg m/s)."""
-        return momentum(self.pend_list, R_PARAM)

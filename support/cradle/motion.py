@@ -56,7 +56,7 @@ class Motion:
         self.loudest = max(self.loudest, hit.speed)
 
     def summary(self) -> str:
-        """Return the time, the energy, and the farthest bobs' angle, for a screen reader."""
+        """Return the farthest bobs and their angle, for a screen reader."""
         angles = [degrees(remainder(theta, 2 * pi)) for theta in self.cradle.values("theta")]
         angle = max(angles, key=abs)
         farthest = []
@@ -66,11 +66,7 @@ class Motion:
         noun = self.cradle.theta_bob if len(farthest) == 1 else f"{self.cradle.theta_bob}s"
         bobs = f"{noun} {', '.join(farthest)}"
         side = "left" if angle < 0 else "right"
-        texts = [f"t = {self.time():.2f} s"]
-        if self.cradle.shows("energy"):
-            texts.append(f"energy {percent_as_text(self.energy_percent()).strip()}")
-        texts.append(f"{bobs} at {abs(angle):.0f} degrees {side}")
-        return ", ".join(texts)
+        return f"{bobs} at {abs(angle):.0f} degrees {side}"
 
     def energy_percent(self, pend_list: list[Pendulum] | None = None) -> float:
         """Return the energy of these pendula in percent of that at the start.
@@ -105,7 +101,7 @@ class Motion:
             "kinetic": kinetic,
             "potential": potential,
             "total": kinetic + potential,
-            "momentum": self.cradle.momentum(),
+            "momentum": momentum(self.cradle.pend_list, R_PARAM),
         }
 
 
@@ -117,11 +113,11 @@ def keeps_momentum(hit: Hit) -> bool:
 
 
 def percent_as_text(percent: float) -> str:
-    """Return a percentage as text of constant width.
+    """Return a percentage as text.
 
     It has no more decimals: the next ones would show the errors of the tick.
     """
-    return f"{percent:5.1f} %" if percent < 1000 else "> 999 %"
+    return f"{percent:.1f} %" if percent < 1000 else "> 999 %"
 
 
 def digits_for(largest: float) -> int:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from support.columns import to_number
 
-LARGEST_FILE = 10_000_000  # bytes of a file
+LARGEST_FILE = 6_000_000  # bytes of a file
 POLL = 0.2  # s between two looks at a file while you edit it
 # Files that are no text in UTF-8, by their first bytes
 OTHER_FILES = {

@@ -37,7 +37,7 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
     the range of MOST_TIMES, too. Raises a ValueError for the first mistake. It names the file, the
     line, the column, the value found and the allowed values.
     """
-    rows = snapshot.rows()  # one by one: those of 10 MB would take a gigabyte of memory
+    rows = snapshot.rows()  # one by one: those of 6 MB would take a gigabyte of memory
     header = next(rows)
     require_columns(f"{snapshot}, line {header.line}", header.cells)
     pendula: list[CsvRow] = []

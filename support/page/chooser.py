@@ -8,7 +8,7 @@ from support.files.cradle_csv import LiveFile
 from support.files.data_file import has_written
 from support.files.experiments import Experiment, EXPERIMENTS, read_experiments, YOUR_CSV
 from support.files.valid_cradle import CradleCsv, read_cradle
-from support.page.gallery import at_rest, gallery_picture
+from support.page.gallery import gallery_picture
 from support.page.names import State
 
 # After a mistake in your CSV, for instance "... allowed is a number from 0 to 1, such as 0.9"
@@ -37,9 +37,8 @@ class Chooser:
         self.file = file
         self.prepare = prepare
         self.cords = cradle.cord_count
-        self.first = next_cradle.settings  # those of your CSV at the start
-        self.yours = self.first  # of your CSV
-        self.saved = self.first.csv  # your CSV, as it is in the file, with the options
+        self.first = next_cradle.settings  # of your CSV as it is in the file, with the options
+        self.yours = self.first  # with your changes on the page
         self.error = ""  # the mistake in it
         folder = EXPERIMENTS / cradle.kind
         self.experiments, self.mistakes = read_experiments(folder, self.cords)
@@ -48,13 +47,12 @@ class Chooser:
         if experiment:  # maybe in place of one with its name
             self.experiments[experiment.name] = experiment
             self.choose(experiment.name)
-        self.pictures = {YOUR_CSV: at_rest(self.saved, self.cords)}
-        self.sheets = {}
+        self.pictures = {}
+        self.sheets = []
         for name, known in self.experiments.items():
             self.pictures[name] = gallery_picture(known.csv, known.poses, known.hidden)
             if known.question:
-                answers = [answer.text for answer in known.answers]
-                self.sheets[name] = {"question": known.question, "answers": answers}
+                self.sheets.append((name, known.question, [text for text, _ in known.answers]))
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
@@ -64,22 +62,9 @@ class Chooser:
         """Return the name of what is chosen."""
         return self.experiment.name if self.experiment else YOUR_CSV
 
-    def whole_experiment(self) -> Experiment | None:
-        """Return the experiment that is chosen; None once it was changed, and for your CSV."""
-        return None if self.is_changed else self.experiment
-
     def leave_experiment(self) -> None:
         """Note that the cradle is no longer that of the experiment, if there is one."""
         self.is_changed = self.experiment is not None
-
-    def next_name(self, is_backwards: bool = False) -> str:
-        """Return the name of the next experiment, or of the one before this; they are in a ring."""
-        names = [*self.experiments] or [YOUR_CSV]
-        if is_backwards:
-            names.reverse()
-        if not self.experiment:
-            return names[0]
-        return names[(names.index(self.experiment.name) + 1) % len(names)]
 
     def choose(self, name: str) -> None:
         """Let the program make an experiment with this name, or your CSV with its settings.
@@ -109,9 +94,8 @@ class Chooser:
         except ValueError as error:
             self.error = f"{error}. {STILL_THERE}"
             return
-        is_shown = self.next_cradle.settings.csv == self.saved
-        self.saved = csv
-        self.pictures[YOUR_CSV] = at_rest(csv, self.cords)
+        is_shown = self.next_cradle.settings.csv == self.first.csv
+        self.first = self.first._replace(csv=csv)
         if not has_written(self.file.filepath, self.file.current.data):
             if self.experiment:
                 self.choose(YOUR_CSV)
@@ -121,16 +105,16 @@ class Chooser:
 
     def unchanged(self) -> Settings:
         """Return the settings of what is chosen, without changes on the page."""
-        if self.experiment:
-            return settings_of(self.experiment)
-        return self.first._replace(csv=self.saved)
+        return settings_of(self.experiment) if self.experiment else self.first
 
     def state(self) -> State:
         """Return what the page must know of the choice."""
+        csv = self.first.csv
+        at_rest = [[0.0] * self.cords] * len(csv.pendula)
         return {
             "error": self.error,
             "mistakes": self.mistakes,
-            "pictures": dict(self.pictures),
+            "pictures": {YOUR_CSV: gallery_picture(csv, at_rest)} | self.pictures,
             "changed": self.is_changed or self.next_cradle.settings != self.unchanged(),
             "sheets": self.sheets,
         }

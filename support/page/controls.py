@@ -30,10 +30,6 @@ def is_direction(value: Any) -> bool:
     return is_point(value) and max(map(abs, value)) > 1e-3
 
 
-def always() -> bool:
-    return True
-
-
 @dataclass
 class Command:
     """What a command of a tab does, and a test for each of its values, which come as JSON."""
@@ -50,14 +46,14 @@ class Command:
 
 @dataclass
 class Control:
-    """A control: its place on the page, its label, and its value."""
+    """A control: its place on the page, its words, and its value."""
 
     place: str  # as in data-place of page.html; the controls of a place stand in their order
     label: str
+    help: str  # appears under a mouse that rests on it
     get: Callable[[], Any]
     set: Callable[[Any], None]
-    help: str = field(default="", kw_only=True)  # appears under a mouse that rests on it
-    is_enabled: Callable[[], bool] = field(default=always, kw_only=True)
+    is_enabled: Callable[[], bool] = field(default=lambda: True, kw_only=True)
 
     def allows(self, value: Any) -> bool:
         """Return whether the value, which comes as JSON, can be set."""
@@ -102,12 +98,14 @@ class Slider(Control):
 
     def description(self) -> dict[str, Any]:
         least, largest = self.limits()
+        description = super().description()
+        value = description["value"]
         return {
-            **super().description(),
+            **description,
             "min": least,
             "max": largest,
             "step": self.step,
-            "text": self.as_text(self.get()),
+            "text": "?" if value is None else self.as_text(value),
         }
 
 

@@ -6,10 +6,8 @@ The sliders and the table of the page change them. Each change lets the program 
 from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 from support.cradle.cradle import Cradle
-from support.cradle.settings import NextCradle
 from support.files.experiments import COLORS
 from support.files.valid_cradle import numbers_in, with_numbers
 from support.page.chooser import Chooser
@@ -24,10 +22,10 @@ LIMITS = {"mass": (0.001, 1000), "e": (0, 1)}
 class CradleSettings:
     """Changes the settings of the next cradle, and wants it."""
 
-    def __init__(self, cradle: Cradle, next_cradle: NextCradle, chooser: Chooser):
+    def __init__(self, cradle: Cradle, chooser: Chooser):
         """Change what this chooser has chosen; cradle is that of now."""
         self.cradle = cradle
-        self.next_cradle = next_cradle
+        self.next_cradle = chooser.next_cradle
         self.chooser = chooser
         self.motion_keys = [*cradle.angle_keys, *cradle.rate_keys]
         self.saved: dict[str, float | str] = {}  # the answer to the last save_csv
@@ -102,8 +100,6 @@ class CradleSettings:
 
         The tab that has asked knows the answer by its ticket.
         """
-        if self.cradle.hidden:
-            return
         pendula = [dict(pend) for pend in self.cradle.pend_list]
         for pend in pendula:
             for key in self.motion_keys:
@@ -123,16 +119,12 @@ class CradleSettings:
 
     def state(self) -> State:
         """Return what the page must know of the pendula: their table, and their CSV."""
-        return {"table": [*map(self.column, (*LIMITS, *self.motion_keys))], "saved_csv": self.saved}
-
-    def column(self, key: str) -> dict[str, Any]:
-        """Return a column of the table; it has limits if you can change its numbers."""
-        is_own = key in self.cradle.own
-        can_change = key in LIMITS and self.can_change(key)
-        places = "" if key in LIMITS else ".6f"
-        numbers = self.cradle.shown(key)
-        return {
-            "title": f"{key}, set by the program" if is_own else key,
-            "limits": LIMITS[key] if can_change else None,
-            "texts": ["?" if number is None else f"{number:{places}}" for number in numbers],
-        }
+        columns = []
+        cells = []
+        for key in (*LIMITS, *self.motion_keys):
+            limits = LIMITS.get(key) if self.can_change(key) else None
+            numbers = self.cradle.shown(key)
+            places = "" if key in LIMITS else ".6f"
+            columns.append((key, limits, len(numbers)))
+            cells.append(["?" if number is None else f"{number:{places}}" for number in numbers])
+        return {"columns": columns, "cells": cells, "saved_csv": self.saved}

@@ -1,6 +1,5 @@
 """Find a function that does not return, so that the loop asks nothing; a save stops it."""
 
-import builtins
 import sys
 import threading
 from collections.abc import Callable
@@ -12,9 +11,12 @@ from support.cradle.player import PLAYER_FILE
 from support.simulation import OverError
 from support.start.mistake import is_in_src, place_of
 
-LOOK = 0.5  # s from look to look
-AGAIN = 0.02  # s from look to look while it stops a function
+LOOK = 1 / 8  # s from look to look
 TOO_LONG = 3.0  # s after which a function that has not returned is named
+STAYS = (
+    f"the program has been here for {TOO_LONG:.0f} s. If it asks in the terminal, answer there. "
+    "If a loop never ends here, mend it, and save the file."
+)
 
 
 class Watch:
@@ -41,30 +43,20 @@ class Watch:
         # Of functions of src/ that have not returned since then, the innermost one first
         self.frames: list[FrameType] = []
         self.words = ""
-        self.must_stop = False  # whether it stops them
-        self.is_asking = False  # whether a program waits for the terminal
         self.has_ended = threading.Event()  # whether nothing is to be watched any more
 
     def start(self) -> None:
         """Look again and again, in a thread of its own, until stop."""
-        self.input = builtins.input
-        builtins.input = self.ask  # type: ignore[assignment]
-        threading.Thread(target=self.keep_looking, daemon=True).start()
+        self.watcher = threading.Thread(target=self.keep_looking, daemon=True)
+        self.watcher.start()
 
     def stop(self) -> None:
+        """Look no more, from now on."""
         self.has_ended.set()
-        builtins.input = self.input
-
-    def ask(self, prompt: object = "") -> str:
-        """Do what input does; also a debugger asks with it."""
-        self.is_asking = True
-        try:
-            return self.input(prompt)
-        finally:
-            self.is_asking = False
+        self.watcher.join()
 
     def keep_looking(self) -> None:
-        while not self.has_ended.wait(AGAIN if self.must_stop else LOOK):
+        while not self.has_ended.wait(LOOK):
             self.look()
 
     def look(self) -> None:
@@ -78,30 +70,17 @@ class Watch:
             self.last = progress
             self.looks = 0
             self.frames = frames
-            self.must_stop = False
             self.say("")
             return
-        self.looks = 0 if self.is_asking else self.looks + 1
+        self.looks += 1
         self.frames = [frame for frame in self.frames if frame in frames]
-        if self.words and not self.is_asking and self.is_wanted():
-            self.must_stop = True
-        if self.frames and (self.is_asking or self.looks * LOOK == TOO_LONG):
-            self.say(self.sentence(self.frames[0]))
+        if self.frames and self.looks * LOOK == TOO_LONG:
+            stays = self.frames[0]
+            place = place_of(stays.f_code.co_filename, stays.f_lineno)
+            self.say(f"{place}: {STAYS}")
         # Again and again: a bare except can catch it.
-        if self.must_stop and running(self.thread):
+        if self.words and self.is_wanted() and running(self.thread):
             raise_in(self.thread, OverError)
-
-    def sentence(self, frame: FrameType) -> str:
-        """Return a sentence about what this frame does."""
-        place = place_of(frame.f_code.co_filename, frame.f_lineno)
-        if self.is_asking:
-            return f"{place}, waits for the terminal: answer there."
-        if frame.f_code.co_name == "<module>" and frame.f_globals["__name__"] != "__main__":
-            return f"{place}, is still being imported."
-        return (
-            f"{place}: the program has been here for {TOO_LONG:.0f} s. If a loop never ends here, "
-            "mend it, and save the file."
-        )
 
     def say(self, words: str) -> None:
         if words != self.words:

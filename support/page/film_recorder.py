@@ -1,7 +1,6 @@
 """Write runs to HTML files, without a tab: --html FILE, and --html-all FOLDER."""
 
 import sys
-from collections import deque
 from collections.abc import Sequence
 from contextlib import ExitStack
 from html import escape
@@ -14,6 +13,7 @@ from support.cradle.player import Player, PLAYER_FILE, run
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
 from support.files.experiments import Experiment, EXPERIMENTS
+from support.page.lesson import EXPLAINED, FREE
 from support.page.server.film import Film
 from support.page.server.run_file import run_as_html
 from support.page.server.tabs import Tabs
@@ -23,10 +23,21 @@ from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, refuse
 from support.start.preview import UnwrittenError
 
-INDEX_STYLE = """
-:root { font: 1.1rem/1.5 system-ui, sans-serif }
-body { max-width: 40rem; margin: 2rem auto; padding: 0 1rem }
-li { margin: 1rem 0 }
+INDEX = """\
+<!doctype html>
+<html lang="en"><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>
+:root {{ font: 1.1rem/1.5 system-ui, sans-serif }}
+body {{ max-width: 40rem; margin: 2rem auto; padding: 0 1rem }}
+li {{ margin: 1rem 0 }}
+</style>
+<h1>{title}</h1>
+<p>Open an experiment, predict, and see. Nothing is sent anywhere.</p>
+<ol>
+{links}
+</ol>
 """
 
 
@@ -62,36 +73,39 @@ class FilmRecorder(Viewer):
         tabs = NoTabs()
         super().__init__(cradle, start, tabs, RealTime(cradle.dt, tabs.time, tabs.sleep))
         self.last = max(1, round(seconds / cradle.dt))  # tick
-        self.next_names: deque[str] = deque()  # of experiments to play
+        self.next_names: list[str] = []  # of experiments to play
         self.count = 1  # of all cradles to play
         self.runs: list[bytes] = []  # as HTML
         self.report_progress: Progress = lambda done: None
-        # Nobody answers here: run.js asks, in the file.
-        self.lesson.asks = False
         self.marks.has_arrows = True
         self.bars.is_on = True
 
     def play_experiments(self, names: Sequence[str]) -> None:
         """Play the experiments with these names, one after the other."""
-        first, *others = names
-        self.next_names.extend(others)
+        first, *self.next_names = names
         self.count = len(names)
         self.lesson.choose(first)
 
     def frame(self) -> None:
         """Show the last ticks, with all numbers, and plan the next ones; at the end, keep the run.
 
-        Then go on to the next cradle.
+        Then go on to the next cradle. Where the lesson waits for you, go on at once: in the file it
+        waits for the one who plays it.
         """
         self.next_refresh = 0.0
         super().frame()
-        done = self.motion.ticks / self.last
-        if done:
-            self.report_progress((len(self.runs) + done) / self.count)
-        if done == 1:
+        if self.lesson.measurement:
+            self.lesson.answer(self.lesson.measurement.experiment.key, 0)
+            self.lesson.rest_end = 0.0
+        if self.lesson.state not in (FREE, EXPLAINED):
+            return  # the first swing of a lesson: the run follows
+        left = self.last - self.motion.ticks
+        self.planned = min(self.planned, left)
+        self.report_progress((len(self.runs) + 1 - left / self.last) / self.count)
+        if not left:
             self.keep_run()
             if self.next_names:
-                self.lesson.choose(self.next_names.popleft())
+                self.lesson.choose(self.next_names.pop(0))
             else:
                 self.is_over = True
 
@@ -108,21 +122,13 @@ class FilmRecorder(Viewer):
         """Keep the run up to now."""
         self.runs.append(run_as_html(self.tabs.pictures()))
 
-    def keep_time(self, most: float = inf) -> None:
-        super().keep_time(min(most, self.last - self.motion.ticks))
 
-
-def write_run(file: Path, cradle: Cradle, start: Start, seconds: float, filepath: str) -> None:
-    """Write the first seconds (s) of a program to this HTML file; the rest is as in write_runs."""
-    write_runs(file, FilmRecorder(cradle, start, seconds), [filepath], filepath)
-
-
-def write_all_runs(file: Path, cradle: Cradle, start: Start, seconds: float, folder: str) -> None:
-    """Write the first seconds (s) of each experiment to an HTML file in this folder.
+def write_all_runs(file: Path, recorder: FilmRecorder, folder: str) -> None:
+    """Write the run of each experiment to an HTML file in this folder.
 
     index.html has links to them. The rest is as in write_runs.
     """
-    recorder = FilmRecorder(cradle, start, seconds)
+    cradle = recorder.cradle
     experiments = recorder.chooser.experiments
     files = [str(Path(folder, f"{known.key}.html")) for known in experiments.values()]
     index = str(Path(folder, "index.html"))
@@ -135,12 +141,12 @@ def write_all_runs(file: Path, cradle: Cradle, start: Start, seconds: float, fol
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
     write_runs(file, recorder, files, folder)
-    with whole_file(index) as links:
-        links.write(links_to(cradle.title, [*experiments.values()]))
+    with whole_file(index) as page:
+        page.write(index_of(cradle.title, [*experiments.values()]))
 
 
 def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
-    """Write the runs of a program to these files; place names them all in a message.
+    """Write the runs of a program to these HTML files; place names them all in a message.
 
     If a function makes a mistake, a single run ends with it, and the exit status is 1; so it is,
     without files, with several runs, and after a signal. Raises an OSError if a file cannot be
@@ -158,7 +164,7 @@ def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: 
             except UnwrittenError as error:
                 refuse(error)
             except (Exception, SystemExit) as error:
-                recorder.tabs.show({"ended": report_mistake(error, PLAYER_FILE)})
+                recorder.tabs.tell({"stopped": report_mistake(error, PLAYER_FILE)})
                 if not recorder.is_over:  # else the run is whole
                     recorder.keep_run()
                 has_failed = True
@@ -180,19 +186,10 @@ def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: 
         sys.exit(1)
 
 
-def links_to(title: str, experiments: Sequence[Experiment]) -> str:
+def index_of(title: str, experiments: Sequence[Experiment]) -> str:
     """Return a plain page with a link to the run of each experiment."""
-    lines = [
-        "<!doctype html>",
-        '<html lang="en"><meta charset="utf-8">',
-        '<meta name="viewport" content="width=device-width, initial-scale=1">',
-        f"<title>{escape(title)}</title>",
-        f"<style>{INDEX_STYLE}</style>",
-        f"<h1>{escape(title)}</h1>",
-        "<p>Open an experiment, predict, and see. Nothing is sent anywhere.</p>",
-        "<ol>",
-    ]
+    links = []
     for known in experiments:
         link = f'<a href="{quote(known.key)}.html">{escape(known.name)}</a>'
-        lines.append(f"<li>{link}<br>{escape(known.question)}</li>")
-    return "\n".join([*lines, "</ol>", ""])
+        links.append(f"<li>{link}<br>{escape(known.question)}</li>")
+    return INDEX.format(title=escape(title), links="\n".join(links))

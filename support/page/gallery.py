@@ -9,18 +9,16 @@ from support.page.graph import to_css
 
 CSS = {name: to_css(color) for name, color in COLOR_MAP.items()}  # the colors, as CSS has them
 
-GalleryPicture = list[dict]  # a dictionary for each pendulum
-
 
 def gallery_picture(
     csv: CradleCsv, poses: Sequence[Sequence[float]], hidden: Hidden | None = None
-) -> GalleryPicture:
+) -> list[dict]:
     """Return the picture of a CSV's cradle: the color and the mass (kg) of each pendulum.
 
     And its angles: those of its cords from straight down (rad). poses has them for each pendulum.
     A hidden mass is None.
     """
-    pendula: GalleryPicture = []
+    pendula: list[dict] = []
     for cells, angles in zip(csv.pendula, poses, strict=True):
         row = dict(zip(csv.columns, cells, strict=True))
         pendula.append({"color": CSS[row["color"]], "mass": float(row["mass"]), "angles": angles})
@@ -28,8 +26,3 @@ def gallery_picture(
         for index in hidden.rows:
             pendula[index]["mass"] = None
     return pendula
-
-
-def at_rest(csv: CradleCsv, cords: int) -> GalleryPicture:
-    """Return the picture of a CSV's cradle that hangs; a pendulum has this number of cords."""
-    return gallery_picture(csv, [[0.0] * cords for _ in csv.pendula])

@@ -41,7 +41,7 @@ class Graph:
         """Begin with a new cradle, without samples."""
         self.samples: dict[float, Sample] = {}  # by their time (s)
         cradle = self.cradle
-        colored = [*enumerate(map(to_css, cradle.colors()[:MOST_DRAWN]), start=1)]
+        colored = [*enumerate(map(legible, cradle.colors()[:MOST_DRAWN]), start=1)]
 
         def curves(x: str, y: str) -> list[Curve]:
             """Return a curve for each pendulum; its number takes the place of {} in x and y."""
@@ -67,14 +67,11 @@ class Graph:
 
     def names(self) -> list[str]:
         """Return the names that you can choose."""
-        return [name for name in self.choices if self.cradle.shows(name)]
+        return [*self.cradle.without_hidden(self.choices)]
 
     def name(self) -> str:
         """Return the name of what is shown: your choice, or the angles while that is hidden."""
         return self.chosen if self.chosen in self.names() else "Angles theta"
-
-    def choose(self, name: str) -> None:
-        self.chosen = name
 
     def add(self, sample: Sample) -> None:
         """Add a sample of this moment, in place of one of the same time; forget those too old."""
@@ -108,6 +105,12 @@ class Graph:
         """Return the numbers of the samples with this name, times a scale."""
         numbers = [scale * sample[name] for sample in self.samples.values()]
         return [round(number, 4) if isfinite(number) else None for number in numbers]
+
+
+def legible(color: vector) -> str:
+    """Return a color as to_css does, but half as light if one can hardly see it on white."""
+    is_pale = 0.3 * color.x + 0.59 * color.y + 0.11 * color.z > 0.75
+    return to_css(color / 2 if is_pale else color)
 
 
 def to_css(color: vector) -> str:

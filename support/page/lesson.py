@@ -3,7 +3,7 @@
     asked       you predict what will happen; the cradle waits at its release
     running     the first swing, which is measured
     seen        you say what you saw; the cradle stands at its release again
-    explained   the page says what happened, and why; the cradle swings once more, and holds
+    explained   the page says what happened, and why; the cradle swings once more, and rests
     free        there is no question
 
 With Ask, a run is asked before it runs, and seen before it is explained; without, it is neither.
@@ -13,14 +13,13 @@ speed, and the word about your last command. Nothing is stored, and nobody gets 
 
 from collections.abc import Callable
 from itertools import chain
-from math import pi, radians, sin, sqrt
+from math import inf, pi, radians, sin, sqrt
 from typing import Any
 
 from support.constants import G
 from support.cradle.motion import Motion
 from support.cradle.prediction import Measurement
 from support.cradle.real_time import FRAME, RealTime
-from support.cradle.settings import NextCradle
 from support.files.experiments import Experiment
 from support.page.chooser import Chooser
 from support.page.names import State
@@ -41,23 +40,21 @@ class Lesson:
     def __init__(
         self,
         chooser: Chooser,
-        next_cradle: NextCradle,
         slow_hits: SlowHits,
         pace: RealTime,
         plan: Callable[..., None],
     ):
         """Let the time go on; plan(ticks) plans the ticks of a frame, as that of a Player."""
         self.chooser = chooser
-        self.next_cradle = next_cradle
+        self.next_cradle = chooser.next_cradle
         self.slow_hits = slow_hits
         self.pace = pace
         self.plan = plan
         self.asks = True  # the box Ask
-        self.is_paused = False
         self.speed = 1.0  # that you have set, times real time
         self.word = ""  # about your last command
         self.enter(FREE)
-        self.wait_for_hidden()
+        self.run_or_wait()
 
     def enter(self, state: str) -> None:
         """Enter the first state of a lesson."""
@@ -68,8 +65,7 @@ class Lesson:
         self.is_slow = False  # whether the swing is in slow motion
         self.stands = state == ASKED  # whether the cradle waits at its release for an answer
         self.repeats = False  # whether the next run repeats this one
-        self.holds = False  # whether the picture holds the end of the swing until you go on
-        self.rest_end = 0.0  # on the pace's clock
+        self.rest_end = 0.0  # on the pace's clock: until then, the end of the swing stands still
 
     # --- a run ---------------------------------------------------------------------------------
 
@@ -78,8 +74,8 @@ class Lesson:
 
         The program may have read another file, with another number of pendula.
         """
-        experiment = self.chooser.whole_experiment()
-        if not experiment or not experiment.answers:
+        experiment = self.chooser.experiment
+        if not experiment or not experiment.answers or self.chooser.is_changed:
             return None
         is_its_cradle = len(experiment.poses) == len(motion.cradle.pend_list)
         return experiment if is_its_cradle else None
@@ -87,7 +83,7 @@ class Lesson:
     def begin(self, motion: Motion) -> None:
         """Begin a run of this Motion: ask its question, or repeat the last run."""
         experiment = self.experiment(motion)
-        self.end_rest()
+        self.rest_end = 0.0
         if not experiment:
             self.enter(FREE)
             if self.word != OVER:
@@ -114,8 +110,8 @@ class Lesson:
     def measure(self) -> bool:
         """Measure this moment; return whether the first swing ends with it.
 
-        Then ask what you have seen, or explain it: while you read, the picture holds. Without Ask,
-        it rests for a moment.
+        Then ask what you have seen, or explain it: while you read, the picture rests, until you go
+        on. Without Ask, it rests for a moment.
         """
         if not self.measurement or self.measurement.is_over:
             return False
@@ -128,10 +124,8 @@ class Lesson:
             self.state = SEEN if self.asks else EXPLAINED
         if self.state == SEEN:
             self.repeat_run(stands=True)
-        elif self.asks:
-            self.holds = True
         else:
-            self.rest_end = self.pace.clock() + REST
+            self.rest_end = inf if self.asks else self.pace.clock() + REST
         return True
 
     def look(self) -> None:
@@ -144,11 +138,12 @@ class Lesson:
 
     def is_running(self) -> bool:
         """Return whether the time goes on."""
-        return not (self.is_paused or self.stands or self.holds or self.slow_hits.waits())
+        waits = self.stands or self.is_resting() or self.slow_hits.current
+        return not (self.is_paused or waits)
 
     def is_resting(self) -> bool:
         """Return whether the picture rests after the first swing."""
-        return self.holds or self.pace.clock() < self.rest_end
+        return self.pace.clock() < self.rest_end
 
     def speed_now(self) -> float:
         """Return the speed of the present run, times real time."""
@@ -161,22 +156,18 @@ class Lesson:
         self.chooser.choose(name)
         self.enter(FREE)
         self.word = ""
-        self.is_paused = False
-        self.wait_for_hidden()
+        self.run_or_wait()
 
-    def wait_for_hidden(self) -> None:
-        """Pause if what is chosen has a hidden value: its first hit is the clearest."""
+    def run_or_wait(self) -> None:
+        """Let the time go on, but not with a hidden value: its first hit is the clearest."""
         experiment = self.chooser.experiment
-        if experiment and experiment.hidden:
-            self.is_paused = True
+        self.is_paused = bool(experiment and experiment.hidden)
 
-    def choose_next(self) -> None:
-        """Choose the next experiment, after the last one the first."""
-        self.choose(self.chooser.next_name())
-
-    def choose_previous(self) -> None:
-        """Choose the experiment before this one, before the first one the last."""
-        self.choose(self.chooser.next_name(is_backwards=True))
+    def choose_neighbour(self, step: int) -> None:
+        """Choose the next experiment (step 1), or the one before this (-1); all are in a ring."""
+        names = self.chooser.names()
+        place = names.index(self.chooser.name()) + step
+        self.choose(names[place % len(names)])
 
     def set_asks(self, asks: bool) -> None:
         """Ask the questions of experiments, or not; begin that of now again."""
@@ -218,7 +209,7 @@ class Lesson:
         if not self.can_go_on():
             return
         self.is_paused = self.is_running()
-        self.end_rest()
+        self.rest_end = 0.0
         self.slow_hits.leave()
 
     def step(self) -> None:
@@ -226,18 +217,13 @@ class Lesson:
         if not self.can_go_on():
             return
         was_running = self.is_running()
-        self.end_rest()
+        self.rest_end = 0.0
         if self.slow_hits.is_on:
             self.slow_hits.show_next()
             self.is_paused = False
         elif not was_running:
             self.is_paused = True
             self.plan(round(FRAME * self.speed_now() / self.pace.dt))
-
-    def end_rest(self) -> None:
-        """Let the picture go on after the first swing."""
-        self.holds = False
-        self.rest_end = 0.0
 
     def set_speed(self, speed: float) -> None:
         """Let the time go on at this speed, times real time, also if a run is in slow motion."""

@@ -1,8 +1,8 @@
 """The names of commands and values, which the page and the program share: each is declared here.
 
-The names of controls stand in declarations.py. The page gets these as names.js. mypy finds a name
-that a Python file spells in another way, the type checker of JavaScript one in a script, and
-test_names.py one in page.html.
+The names of controls stand in declarations.py. mypy finds a name that a Python file spells
+in another way, the type checker of JavaScript one in a script (names.js), and test_names.py one in
+page.html.
 """
 
 import json
@@ -44,15 +44,15 @@ class State(TypedDict, total=False):
     stopped: str  # the mistake that has ended the last run
     over: str  # why it is over without a mistake
     saved: str  # why what you have saved does not run, or has a wrong name
-    ended: str | None  # why the program has ended
+    ended: bool  # whether the program has ended
     word: str  # about your last command
     # The motion
     paused: bool
     running: bool
     view: dict[str, Any]  # what the camera shows
-    sound: dict[str, float]
+    sound: dict[str, float]  # the last hit to hear, the fastest one of its picture
     motion: dict[str, str]  # the readout
-    summary: str  # the same in a sentence
+    summary: str  # where the farthest bobs are, in words
     bars: dict[str, Any] | None
     hits: list[dict[str, Any]]  # the slow hits of this series
     curves: dict[str, Any]  # of the graph
@@ -61,22 +61,25 @@ class State(TypedDict, total=False):
     mistakes: list[str]
     changed: bool
     question: dict[str, Any] | None
-    sheets: dict[str, Any]  # of all experiments: their questions and answers
+    sheets: list[tuple]  # of all experiments with a question: the name, the question, the answers
     unknown: dict[str, str] | None  # what is hidden
     checked: str  # about your value of it
     # The ghosts of a file
     ghosts: str
     mistake_in_ghosts: str
     # The table of the pendula
-    table: list[dict[str, Any]]  # its columns
+    # For each column its key, the limits of what you can type or None, and the number of rows
+    columns: list[tuple]
+    cells: list[list[str]]  # the texts of each column
     saved_csv: dict[str, float | str]  # the answer to the last save_csv
 
 
-class Texts(TypedDict):
+class Texts(TypedDict, total=False):
     """What stands in the page when it is served: a tab has it also without the program."""
 
     command: str  # that starts this program again
     csv: str  # the name of your file
+    share: str  # the key of tabs that follow
 
 
 COMMANDS = [*Commands.__annotations__]
@@ -84,7 +87,7 @@ VALUES = [*State.__annotations__]
 
 
 def names_as_module() -> str:
-    """Return the names as a module of JavaScript."""
+    """Return the names as names.js, a module for the type checker of JavaScript."""
     return (
         f"export const COMMANDS = /** @type {{const}} */ ({json.dumps(COMMANDS)});\n"
         f"export const VALUES = /** @type {{const}} */ ({json.dumps(VALUES)});\n"

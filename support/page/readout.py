@@ -5,24 +5,13 @@ from typing import Any
 
 from support.cradle.motion import Motion, percent_as_text, signed
 from support.cradle.real_time import RealTime
-from support.cradle.stopwatch import Stopwatch
-from support.page.ghost_file import GhostFile
-from support.page.graph import SUM, to_css
-from support.page.lesson import Lesson
-from support.page.scene.marks import Marks
+from support.page.graph import legible, SUM
 from support.page.scene.slow_hits import SlowHits
 
 DIRECTIONS = {"+": " →", "-": " ←"}
 
 
-def readout_lines(
-    motion: Motion,
-    pace: RealTime,
-    slow_hits: SlowHits,
-    marks: Marks,
-    stopwatch: Stopwatch,
-    ghost_file: GhostFile,
-) -> dict[str, str]:
+def readout_lines(motion: Motion, pace: RealTime, slow_hits: SlowHits) -> dict[str, str]:
     """Return the text of each line of the readout by its name.
 
     The energy and the momentum are those after the slow hit that is shown, or of now. A second line
@@ -31,14 +20,11 @@ def readout_lines(
     pend_list = slow_hits.shown_pendula()
     p = signed(motion.momenta(pend_list)[-1], motion.momentum_digits)
     arrow = DIRECTIONS.get(p[0], "")
-    lines = {
+    return {
         "t": f"{motion.time():.2f} s\n{pace.remark()}",
-        "energy": percent_as_text(motion.energy_percent(pend_list)).strip(),
+        "energy": percent_as_text(motion.energy_percent(pend_list)),
         "horizontal momentum": f"{p} kg m/s{arrow}\n{what_changes_momentum(motion)}",
     }
-    if marks.measures:
-        lines["half swings"] = str(stopwatch)
-    return lines | ghost_file.readout()
 
 
 def what_changes_momentum(motion: Motion) -> str:
@@ -56,17 +42,12 @@ class Bars:
     Most bobs stop for a moment then.
     """
 
-    def __init__(self, motion: Motion, slow_hits: SlowHits, lesson: Lesson):
+    def __init__(self, motion: Motion, slow_hits: SlowHits):
         self.motion = motion
         self.slow_hits = slow_hits
-        self.lesson = lesson
-        self.is_on = False
+        self.is_on = False  # whether the bars are shown
         self.last_hits = -inf  # s: the time of the last hits
         self.after_hits: list[float] = []  # kg m/s: the momenta after them
-
-    def switch(self, is_on: bool) -> None:
-        """Show the bars, or not."""
-        self.is_on = is_on
 
     def look(self) -> None:
         """Keep the momenta of this moment if there were hits since the last look."""
@@ -74,8 +55,10 @@ class Bars:
             self.last_hits = self.motion.last_fast
             self.after_hits = self.motion.momenta(self.motion.cradle.pend_list)
 
-    def chart(self) -> dict[str, Any] | None:
+    def chart(self, is_resting: bool) -> dict[str, Any] | None:
         """Return a title, and the bars: one for each pendulum, and one for the sum.
+
+        is_resting says whether the picture rests after a measurement.
 
         A bar is a name, a text, a color as CSS has it, and its part of the full length, negative to
         the left. There is no chart while Momenta is off.
@@ -85,11 +68,11 @@ class Bars:
             return None
         title = "Horizontal momentum (kg m/s)"
         momenta = motion.momenta(self.slow_hits.shown_pendula())
-        if self.lesson.is_resting() and self.last_hits > -inf:
+        if is_resting and self.last_hits > -inf:
             title = "Horizontal momentum after the hits (kg m/s)"
             momenta = self.after_hits
         names = [*range(1, len(momenta)), "sum"]
         texts = [signed(p, motion.momentum_digits) for p in momenta]
-        colors = [*map(to_css, motion.cradle.colors()), SUM]
+        colors = [*map(legible, motion.cradle.colors()), SUM]
         parts = [p / motion.most_momentum for p in momenta]
         return {"title": title, "bars": [*zip(names, texts, colors, parts, strict=True)]}

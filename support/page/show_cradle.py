@@ -68,21 +68,26 @@ def show_page(
         if options.experiment is not None:
             experiment = read_experiment(options.experiment, len(angles))
         if options.html is None and options.html_all is None:
-            server = open_page(options)
+            server = make_server(options)
     except ValueError as error:
         refuse(error)
-    from support.page.viewer import Start  # while the browser starts
+    try:
+        if server:
+            announce(server, options.browser)
+        from support.page.viewer import Start  # while the browser starts
 
-    start = Start(prepare(csv), live_file, prepare, angles, options.lift, ghost_file, experiment)
-    if server:
-        play(file, cradle, start, server)
-        return
-    from support.page.film_recorder import write_all_runs, write_run  # not for a page
-
-    if options.html is not None:
-        write_run(file, cradle, start, options.seconds, options.html)
-    else:
-        write_all_runs(file, cradle, start, options.seconds, options.html_all)
+        start = Start(
+            prepare(csv), live_file, prepare, angles, options.lift, ghost_file, experiment
+        )
+        if server:
+            play(file, cradle, start, server)
+        else:
+            write(file, cradle, start, options)
+    finally:
+        if server:
+            server.close()
+            if server.tabs.are_gone:
+                print("No page is open any more, so the program ends.")
 
 
 def play(file: Path, cradle: Cradle, start: "Start", server: "Server") -> None:
@@ -100,18 +105,26 @@ def play(file: Path, cradle: Cradle, start: "Start", server: "Server") -> None:
         raise
     finally:
         watch.stop()
-        server.close()
         if is_in_session():  # the prompt has the names of the last run
             vars(sys.modules["__main__"]).update(viewer.names)
     if viewer.has_failed:
         sys.exit(1)
 
 
-def open_page(options: Namespace) -> "Server":
-    """Return the Server of the page, and start a browser, unless --no-browser is given.
+def write(file: Path, cradle: Cradle, start: "Start", options: Namespace) -> None:
+    """Write runs to files, as the options say."""
+    # Not for a page
+    from support.page.film_recorder import FilmRecorder, write_all_runs, write_runs
 
-    Raises listen's ValueErrors.
-    """
+    recorder = FilmRecorder(cradle, start, options.seconds)
+    if options.html is not None:
+        write_runs(file, recorder, [options.html], options.html)
+    else:
+        write_all_runs(file, recorder, options.html_all)
+
+
+def make_server(options: Namespace) -> "Server":
+    """Return the Server of the page; raises listen's ValueErrors."""
     # Not earlier: it needs packages that come with VPython.
     from support.page.names import Texts
     from support.page.server.port import listen
@@ -119,7 +132,11 @@ def open_page(options: Namespace) -> "Server":
 
     again = list2cmdline([sys.executable, *sys.argv])
     texts: Texts = {"command": again, "csv": Path(options.csv).name}
-    server = Server(listen(options.host, options.port), texts)
+    return Server(listen(options.host, options.port), texts)
+
+
+def announce(server: "Server", opens_browser: bool) -> None:
+    """Say where the page is, and start a browser, if it is to open one."""
     print(f"Newton's cradle is at {server.address()}")
     if not ip_address(server.listener.getsockname()[0]).is_loopback:
         print(
@@ -130,6 +147,5 @@ def open_page(options: Namespace) -> "Server":
         "Open it yourself if no browser shows it. To end, press Ctrl+C or close the tab.",
         flush=True,
     )
-    if options.browser:
+    if opens_browser:
         server.browser_start.open(server.address())
-    return server

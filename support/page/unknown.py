@@ -1,8 +1,6 @@
 """The hidden value of an experiment: you type yours, and hear how far it is off."""
 
-from math import isnan
-
-from support.columns import CHECKED, to_number
+from support.columns import CHECKED
 from support.cradle.cradle import Cradle
 from support.page.names import State
 
@@ -34,9 +32,7 @@ class Unknown:
         column = CHECKED[hidden.column]
         right = self.cradle.values(hidden.column)[hidden.rows[0]]
         text = text.strip().replace(",", ".")
-        if isnan(to_number(text)):
-            self.word = f"Type a number, such as {column.example}."
-        elif not column.allows(text):
+        if not column.allows(text):
             self.word = f"Allowed is {column.allowed()}."
         else:
             off = 100 * (float(text) / right - 1)  # %
@@ -46,14 +42,24 @@ class Unknown:
                 self.word += f" It is {right:g}{unit}. {hidden.why}"
                 self.cradle.hidden = None
 
+    def without_hidden(self, state: State) -> State:
+        """Return the whole state of the page without what tells the hidden value."""
+        cradle = self.cradle
+        if cradle.hidden:
+            for hit in state["hits"]:
+                hit["bobs"] = [*map(cradle.without_hidden, hit["bobs"])]
+            motion = cradle.without_hidden(state["motion"])
+            state |= {"motion": motion, "bars": None, "saved_csv": {}}
+        return state
+
     def state(self) -> State:
         """Return the question, the name and the unit of the value, and the word about yours."""
         hidden = self.hidden
-        if hidden is None:
-            return {"unknown": None, "checked": ""}
-        name = "e" if hidden.column == "e" else f"mass of bob {hidden.rows[0] + 1}"
-        unit = CHECKED[hidden.column].unit
-        unknown = {"question": hidden.question, "name": name, "unit": unit}
+        unknown = None
+        if hidden:
+            name = "e" if hidden.column == "e" else f"mass of bob {hidden.rows[0] + 1}"
+            unit = CHECKED[hidden.column].unit
+            unknown = {"question": hidden.question, "name": name, "unit": unit}
         return {"unknown": unknown, "checked": self.word}
 
 

@@ -26,7 +26,6 @@ from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
-from support.page.sound import Sound
 from support.page.unknown import Unknown
 from support.root import SRC
 from support.start.end import end_if_signalled
@@ -35,6 +34,8 @@ from support.start.preview import UnwrittenError
 from support.start.program import taken_names
 
 REFRESH = 0.1  # s between two changes of the state
+# m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick.
+SLOWEST_SOUND = 0.01
 SAMPLES_A_SWING = 90  # for the graph, in the time of a small swing
 LOOKS_A_SWING = 1000  # of a measurement, in this time
 YOURS = "your answer"  # above the ghosts of an answer
@@ -86,11 +87,11 @@ class Viewer(Player):
         self.chooser = Chooser(
             cradle, self.next_cradle, start.file, start.prepare, start.experiment
         )
-        self.cradle_settings = CradleSettings(cradle, self.next_cradle, self.chooser)
+        self.cradle_settings = CradleSettings(cradle, self.chooser)
         self.ghost_file = start.ghost_file
         # Its motion
         self.slow_hits = SlowHits(self.motion)
-        self.lesson = Lesson(self.chooser, self.next_cradle, self.slow_hits, self.pace, self.plan)
+        self.lesson = Lesson(self.chooser, self.slow_hits, self.pace, self.plan)
         self.unknown = Unknown(cradle)
         self.held_bob = HeldBob(cradle)
         self.stopwatch = Stopwatch()
@@ -98,12 +99,10 @@ class Viewer(Player):
         self.scenery = Scenery()
         self.marks = Marks()
         self.graph = Graph(cradle)
-        self.bars = Bars(self.motion, self.slow_hits, self.lesson)
-        self.sound = Sound(self.motion)
+        self.bars = Bars(self.motion, self.slow_hits)
         # What you can do
         self.controls = declarations.controls(
             cradle,
-            self.next_cradle,
             self.chooser,
             self.cradle_settings,
             self.lesson,
@@ -141,7 +140,7 @@ class Viewer(Player):
         elif self.held_bob.index is not None:
             self.planned = 0  # also of a step
             self.pace.restart()
-        elif self.lesson.is_resting() or not self.lesson.is_running():
+        elif not self.lesson.is_running():
             self.pace.restart()
         elif not (self.next_cradle.is_wanted or self.planned):
             self.pace.speed = self.lesson.speed_now()
@@ -193,7 +192,6 @@ class Viewer(Player):
             self.motion.set_start()  # 100 % is the energy of this moment
             self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view(bob.pos for bob in self.cradle.bobs())
-        self.sound.look()
         if not self.tabs.have_room():
             return
         state = self.state_in_step()
@@ -204,15 +202,13 @@ class Viewer(Player):
 
     def state_in_step(self) -> State:
         """Draw all but the pendula; return what a tab shows in the same picture."""
-        labels = self.marks.show(self.slow_hits, self.ghost_poses())
-        return {
-            "sound": self.sound.state(),
-            "view": {
-                **self.scenery.view(),
-                "labels": [label._asdict() for label in labels],
-                "ghosts": self.marks.answers,
-            },
-        }
+        ghosts = self.marks.show(self.slow_hits, self.ghost_poses())
+        state: State = {"view": {**self.scenery.view(), "ghosts": ghosts}}
+        if self.motion.loudest > SLOWEST_SOUND:
+            speed = round(self.motion.loudest, 4)
+            state["sound"] = {"speed": speed, "time": self.motion.time()}  # unlike the last one
+        self.motion.loudest = 0.0
+        return state
 
     def ghost_poses(self) -> list[GhostPoses]:
         """Return where ghosts are now: those of each answer, or else those of a file."""
@@ -224,20 +220,21 @@ class Viewer(Player):
         return [GhostPoses(poses, self.ghost_file.name)]
 
     def state(self) -> State:
-        """Return what the page shows outside VPython's canvas, all texts plain."""
+        """Return what the page shows outside VPython's canvas, all texts plain.
+
+        Each part says all that it knows; what tells a hidden value is then taken out.
+        """
         said = (*self.remarks, self.cradle.remark(), self.why_no_hits())
-        remarks = [remark for remark in said if remark]
-        lines = readout_lines(
-            self.motion, self.pace, self.slow_hits, self.marks, self.stopwatch, self.ghost_file
-        )
+        lines = readout_lines(self.motion, self.pace, self.slow_hits)
+        if self.marks.measures:
+            lines["half swings"] = str(self.stopwatch)
         state: State = {
             "title": self.cradle.title,
-            "remark": " ".join(remarks),
-            "ended": None,
+            "remark": " ".join(filter(None, said)),
             "hits": self.slow_hits.state(),
-            "motion": self.cradle.without_hidden(lines),
+            "motion": lines | self.ghost_file.readout(),
             "summary": self.motion.summary(),
-            "bars": self.bars.chart() if self.cradle.shows("momentum") else None,
+            "bars": self.bars.chart(self.lesson.is_resting()),
             "curves": self.graph.state(self.motion.start_energy),
             "controls": {name: control.description() for name, control in self.controls.items()},
         }
@@ -248,7 +245,7 @@ class Viewer(Player):
             self.unknown,
         ):
             state |= part.state()
-        return state | self.lesson.view()
+        return self.unknown.without_hidden(state | self.lesson.view())
 
     def why_no_hits(self) -> str:
         """Return why Slow hits stay empty, or ""."""
@@ -377,6 +374,6 @@ class Viewer(Player):
         if self.lesson.measure():
             self.planned = 0
         if self.slow_hits.is_on:
-            self.slow_hits.add(self.hits.noted, self.motion.time(), self.motion.fast_speed)
-            if self.slow_hits.waits():
+            self.slow_hits.add(self.hits.noted)
+            if self.slow_hits.current:
                 self.planned = 0

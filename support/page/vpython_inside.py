@@ -23,7 +23,7 @@ first when another one comes. The names that the browser uses are in web/glow.js
 """
 
 from importlib import import_module
-from importlib.util import find_spec
+from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import Any, NoReturn
 
@@ -33,6 +33,7 @@ from support import simulation
 from support.root import ROOT
 
 NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls", "attach_trail"
+GROW = "curve", "points"  # by calls, of which each tab would need all
 # In glowcomm.html, its own websocket and its fonts are before this.
 SCRIPT = "window.__GSlang ="
 # In glow.min.js: a call without a use, which some sites forbid.
@@ -45,7 +46,7 @@ def draw_without_its_page() -> None:
     Its own page, and a server for it, would come with the first object. An object that needs an
     answer of VPython's page, or a place on it, raises a RuntimeError: VPython would wait for ever.
     So does a trail, which our page cannot draw. rate is that of the program's loop
-    (support/simulation.py). sleep does nothing.
+    (support/simulation.py). sleep does nothing, and delete hides a shape.
 
     Raises a ModuleNotFoundError for another version.
     """
@@ -59,15 +60,19 @@ def draw_without_its_page() -> None:
 
     def refuse(*_: object, **__: object) -> NoReturn:
         raise RuntimeError(
-            "the page shows VPython's shapes, but no trail, text, compound, extrusion, graph, "
-            "button or the like, and nothing can wait for a click"
+            "the page shows VPython's shapes, but no trail, curve, points, text, compound, "
+            "extrusion, graph, button or the like, and nothing can wait for a click"
         )
 
     def refuse_trail(_: object, makes_trail: bool) -> None:
         if makes_trail:
             refuse()
 
-    for name in NEED_ITS_PAGE:
+    def hide(shape: Any) -> None:
+        shape.visible = False
+
+    vpython.baseObj.delete = hide  # type: ignore[method-assign]
+    for name in NEED_ITS_PAGE + GROW:
         getattr(vpython, name).__new__ = refuse
     vpython._wait = refuse  # type: ignore[attr-defined]
     vpython.standardAttributes._make_trail = property(lambda _: False, refuse_trail)
@@ -90,18 +95,16 @@ def take_changes() -> dict[str, list]:
     return baseObj.package(updates)
 
 
-def files_for_a_browser() -> dict[str, bytes | Path]:
-    """Return the scripts, the styles and the textures, by name: the content or the path.
+def files_for_a_browser() -> dict[str, bytes]:
+    """Return the content of the scripts that the page uses, and of the textures, by their names.
 
     vpython.js is the script of VPython's own page, without its websocket.
     """
-    [folder] = find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
+    [folder] = PathFinder.find_spec("vpython").submodule_search_locations  # type: ignore[union-attr, misc]
     libraries = Path(folder, "vpython_libraries")
-    files: dict[str, bytes | Path] = {}
-    for place in (libraries, Path(folder, "vpython_data")):
-        for path in place.iterdir():
-            if path.suffix in (".js", ".css", ".jpg"):
-                files[path.name] = path
+    textures = Path(folder, "vpython_data").glob("*.jpg")
+    files = {path.name: path.read_bytes() for path in textures}
+    files["jquery.min.js"] = (libraries / "jquery.min.js").read_bytes()
     page = (libraries / "glowcomm.html").read_text(encoding="utf-8")
     _, start, script = page.partition(SCRIPT)
     files["vpython.js"] = (start + script).partition("</script>")[0].encode()

@@ -17,31 +17,23 @@ from support.start.output import in_one_line, Progress, progress_bar
 
 TICKS_A_FRAME = 1000  # ticks from one report of a recording's progress to the next
 HALF_SECOND = 0.5  # s from line to line
-# All columns have 8 or 16 letters: where a terminal wraps a long line, no number is split.
-TIME = "   t (s)"
-ENERGY = "          energy"
-ANGLES = "   angle of each bob (degrees, positive to the right)"
 
 
-def heading(motion: Motion) -> str:
-    """Return the line above the columns of line_of."""
-    energy = ENERGY if motion.cradle.shows("energy") else ""
-    return TIME + energy + ANGLES
+def columns_of(motion: Motion) -> dict[str, str]:
+    """Return the time, the energy and the angles of the bobs as texts, by the heading of each.
 
-
-def line_of(motion: Motion) -> str:
-    """Return the time (s), the energy (%) and the angle of each bob (degrees) in columns.
-
-    While a value is hidden, there is no energy.
+    All have 8 or 16 letters: where a terminal wraps a long line, no number is split.
     """
-    energy = ""
-    if motion.cradle.shows("energy"):
-        energy = percent_as_text(motion.energy_percent()).rjust(len(ENERGY))
     angles = []
     for theta in motion.cradle.values("theta"):
         angle = degrees(remainder(theta, 2 * pi))
         angles.append(f"{angle:z8.1f}")  # z: no -0.0
-    return f"{motion.time():8.2f}{energy}{''.join(angles)}"
+    columns = {
+        "   t (s)": f"{motion.time():8.2f}",
+        "          energy": percent_as_text(motion.energy_percent()).rjust(16),
+        "   angle of each bob (degrees, positive to the right)": "".join(angles),
+    }
+    return motion.cradle.without_hidden(columns)
 
 
 class Lines(Player):
@@ -56,7 +48,7 @@ class Lines(Player):
 
     def show_new_cradle(self) -> None:
         print_remarks(self)
-        print(heading(self.motion))
+        print("".join(columns_of(self.motion)))
         self.take_sample()
         self.pace.restart()
 
@@ -75,7 +67,7 @@ class Lines(Player):
         if remark and not self.has_remark:
             print(remark)
             self.has_remark = True
-        print(line_of(self.motion), flush=True)
+        print("".join(columns_of(self.motion).values()), flush=True)
 
 
 class DataRecorder(Player):

@@ -16,8 +16,7 @@ const positions = () => bobs().map(({ pos }) => [pos.x, pos.y]);
 
 const visible = kind => scene().objects.filter(shape => kindOf(shape) === kind);
 
-// Return the x of each shape of this kind that cannot be grabbed.
-const backdrop = kind => visible(kind).filter(({ pickable }) => !pickable).map(({ pos }) => pos.x);
+const texts = () => glow.objects.filter(o => kindOf(o) === "label" && o.visible).map(o => o.text);
 
 // Return whether the bobs are elsewhere a third of a second later.
 async function moves() {
@@ -73,19 +72,6 @@ function lights(circles) {
   });
 }
 
-// Return which part of what is drawn in the upper half of the canvas is white: rods, cords, bobs.
-function glare() {
-  const { data } = picture().getImageData(0, 0, scene().width, scene().height / 2);
-  let drawn = 0;
-  let white = 0;
-  for (let i = 0; i < data.length; i += 4) {
-    const [red, green, blue, alpha] = data.slice(i, i + 4);
-    if (alpha === 255) drawn += 1;
-    if (alpha === 255 && Math.min(red, green, blue) > 250) white += 1;
-  }
-  return white / drawn;
-}
-
 // --- the state and the controls ----------------------------------------------------------------
 
 let first; // the controls as the page has opened, but without Ask
@@ -112,9 +98,6 @@ function isBack() {
   return state.paused && parseFloat(state.motion.t) === 0 && Object.keys(first).every(isSame);
 }
 
-// Return what all controls show.
-const settings = () => find("select, input, output").map(({ checked, value }) => [checked, value]);
-
 // Return whether a run has been played to its end. The time of a picture is the slider's value.
 function isOver() {
   const { valueAsNumber, max } = one(".moment");
@@ -122,6 +105,6 @@ function isOver() {
 }
 
 Object.assign(window, glow, page, program, {
-  backdrop, cursor, glare, isBack, isOver, lights, moves, pixel, positions,
-  putBack, settings, visible,
+  cursor, isBack, isOver, lights, moves, pixel, positions,
+  putBack, texts, visible,
 });

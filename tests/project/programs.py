@@ -1,6 +1,5 @@
 """The programs as processes: how the tests start them, what they print first, how they end."""
 
-import asyncio
 import os
 import re
 import shutil
@@ -8,7 +7,6 @@ import subprocess
 import sys
 import threading
 import time
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from importlib.machinery import PathFinder
 from pathlib import Path
@@ -21,7 +19,9 @@ PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
 SECONDS = 60  # a test waits for something at most this long
 # The environment of a program that imports modules of the tests
 OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}
-QUIETLY = (0, "", "")  # how a program ends that has printed nothing more
+# How a program ends: its status, and what it still prints.
+QUIETLY = (0, "", "")
+CLOSED = (0, "No page is open any more, so the program ends.\n", "")  # after its last tab
 
 with_vpython = pytest.mark.skipif(
     PathFinder.find_spec("vpython") is None, reason="VPython is not installed"
@@ -124,17 +124,8 @@ def end(process):
 
     The output is what it has printed on stdout and on stderr.
     """
-    stdout, stderr = process.communicate(timeout=SECONDS)
+    stdout, stderr = process.communicate(timeout=2 * SECONDS)  # a cut line takes a minute
     return process.returncode, stdout, stderr
-
-
-def result_of(coroutine):
-    """Return the result of a coroutine.
-
-    Another thread runs it: in this one, Playwright may have a loop that runs.
-    """
-    with ThreadPoolExecutor(1) as worker:
-        return worker.submit(asyncio.run, coroutine).result()
 
 
 def wait_until(condition, seconds=SECONDS):

@@ -12,8 +12,11 @@ from whole_cradles import checked, go_on, thetas
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import FRAME, RealTime
 from support.files.cradle_csv import LiveFile, POLL
+from support.headless_vpython import ForShow, Shape
 from support.page.ghost_file import GhostFile
 from support.page.viewer import Start, Viewer
+
+Shape.idx = ForShow.idx = property(id)  # VPython numbers its objects
 
 
 class Rig:
@@ -101,6 +104,10 @@ class Rig:
 
     def time(self):
         return float(self.state["motion"]["t"].split()[0])
+
+    def marks(self, name):
+        """Return the marks with this name that are shown."""
+        return [shape for shape in self.viewer.marks.shapes.get(name, []) if shape.visible]
 
     def control(self, name):
         """Return what the page knows of a control, without its value."""

@@ -6,7 +6,6 @@ from hypothesis import strategies as st
 from programs import slow_except
 
 from grading.cradles import R
-from support.files.valid_cradle import MOST_TIMES
 from support.pendulum import BUFFER
 
 ALWAYS_THE_SAME = settings(
@@ -56,13 +55,6 @@ BENT_ROWS = st.lists(
     st.tuples(st.floats(-2, 2), st.floats(-3, 3), SIZES, SIZES), min_size=4, max_size=4
 )
 
-# theta and phi (rad) of the first pendulum, mass (kg) and e of all
-MASSES = st.sampled_from([1, MOST_TIMES]) | powers(MOST_TIMES, 0, 1)
-UNEQUAL_ROWS = st.tuples(
-    st.floats(-2.5, -0.8),
-    st.floats(-1, 1),
-    st.lists(st.tuples(MASSES, st.just(1) | st.floats(0, 1)), min_size=3, max_size=5),
-)
 
 # --- the fast path ------------------------------------------------------------------------------
 

@@ -39,6 +39,7 @@ REFUSED = {  # values that are beside them
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
 def test_each_control_takes_what_it_shows_as_possible_and_nothing_else(csv, kind):
     rig = Rig(csv, *[30] * kind.cord_count, kind=kind)
+    assert ("separating" in rig.state["controls"]) == (kind is Cradle)
     for name in rig.state["controls"]:
         control = rig.control(name)
         if control["kind"] == "Slider":

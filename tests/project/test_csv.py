@@ -94,7 +94,7 @@ def test_a_file_that_cannot_be_read_is_refused_and_a_large_one_before_it_is_read
     os.truncate(file, 3 * 10**9)
     with patch.object(Path, "read_bytes", side_effect=AssertionError):
         message = refusal(file)
-    assert message == ": cannot be read: it has more than 10 MB"
+    assert message == ": cannot be read: it has more than 6 MB"
 
 
 def test_the_smallest_and_the_largest_cradle_are_allowed(save):

@@ -76,7 +76,7 @@ def test_both_bobs_push_those_in_their_way(held, bob, x, y):
     drag_bob(pend_list, held, bob, held * R / 4 + x, y, R)
     assert min(distances(pend_list)) > 1
     in_the_way = pend_list[:held] if x < 0 else pend_list[held + 1 :]
-    assert 0 in [pend["omega"] for pend in in_the_way]
+    assert 0 in [pend["phi_omega"] for pend in in_the_way]
     if bob == 0:
         assert cord_angles(pend_list[held])[1] == pytest.approx(0.5)
 

@@ -10,8 +10,8 @@ LOOKS = round(endless.TOO_LONG / endless.LOOK)
 
 def frame(name):
     """Return a frame of swinging.py, in a function with this name."""
-    code = SimpleNamespace(co_filename=SRC / "swinging.py", co_name=name)
-    return SimpleNamespace(f_code=code, f_lineno=len(name), f_globals={})
+    code = SimpleNamespace(co_filename=SRC / "swinging.py")
+    return SimpleNamespace(f_code=code, f_lineno=len(name))
 
 
 class Watched:
@@ -48,10 +48,10 @@ def test_the_innermost_function_that_has_not_returned_meanwhile_is_named_until_i
     watched.frames = [stays, outer]
     watched.stands(LOOKS - 1)
     assert watched.told == watched.stopped == []
-    watched.stands(3)
+    watched.stands(2)
     assert watched.told == [
-        "src/swinging.py, line 5: the program has been here for 3 s. If a loop never ends here, "
-        "mend it, and save the file."
+        "src/swinging.py, line 5: the program has been here for 3 s. If it asks in the "
+        "terminal, answer there. If a loop never ends here, mend it, and save the file."
     ]
     assert len(watched.stopped) == 2
     watched.does(outer)

@@ -12,7 +12,7 @@ from urllib.parse import urljoin, urlsplit
 import pages
 import programs
 import pytest
-from pages import new_page, open_cradle, wait_for_moves
+from pages import new_page, open_cradle, press, wait_for_moves
 from programs import end, first_lines, needs_vpython, QUIETLY, running
 from web_client import BELOW
 
@@ -118,13 +118,15 @@ def test_a_page_moves_through_a_proxy_with_tls_and_another_name_and_path_until_t
 def test_a_page_goes_on_by_itself_when_its_line_was_cut(chromium, csv):
     """It is not loaded again, nothing is made twice, and the same cradle swings on.
 
-    A bob that is held swings on at once, though the mouse is still down.
+    Present and the view stay. A bob that is held swings on at once, though the mouse is still down.
     """
     with far_tab(chromium, csv) as (_, page, address, proxy):
         open_cradle(page, address)
         wait_for_moves(page)
         page.evaluate("scene().forward = vec(-1, -0.5, -1)")
-        own = "[scene().forward.x, objects.length, one('[name=arrows]').checked]"
+        page.keyboard.press("f")
+        own = """[scene().forward.x, objects.length, one('[name=arrows]').checked,
+            one('.present').ariaPressed]"""
         before = page.evaluate(own)
         time = pages.readout(page, "t")
         pages.drag(page, 3, 20, 40)
@@ -141,11 +143,38 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(chromium, csv):
         assert pages.readout(page, "t") > time
 
 
+def test_share_shows_an_address_whose_tab_sees_all_turns_its_view_and_changes_nothing(
+    chromium, csv
+):
+    """It has the host by which the page came; if nobody else can reach this, it says so."""
+    with (
+        far_tab(chromium, csv, "cradle.localhost") as (_, page, address, _),
+        new_page(chromium) as follower,
+    ):
+        open_cradle(page, address)
+        press(page, "Share")
+        shown = page.locator(".address").inner_text()
+        assert shown.startswith(address.partition("?")[0])
+        assert urlsplit(address).query.removeprefix("key=") not in shown
+        page.get_by_text("--host 0.0.0.0").wait_for(state="hidden")
+        open_cradle(follower, shown)
+        wait_for_moves(follower)
+        buttons = follower.locator("button:visible").all_inner_texts()
+        assert buttons == ["Present"]
+        follower.keyboard.press("Space")
+        wait_for_moves(follower)
+        assert pages.violations(follower) == {}
+        open_cradle(page, address.replace("cradle.localhost", "127.0.0.1"))
+        press(page, "Share")
+        page.get_by_text("--host 0.0.0.0").wait_for()
+
+
 def test_a_page_does_not_say_that_a_killed_program_has_ended_until_a_new_one_answers(page, csv):
+    """Then it is loaded again, and says that it needs the new address."""
     with running(None, str(csv)) as process:
         open_cradle(page, first_lines(process))
         process.kill()
         page.get_by_text(NO_ANSWER).wait_for()
     with running(None, str(csv), "--port", str(urlsplit(page.url).port)) as process:
         first_lines(process)
-        page.get_by_text(ENDED).wait_for()
+        page.get_by_text("Open the whole address that the program has printed").wait_for()

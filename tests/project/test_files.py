@@ -11,7 +11,7 @@ from whole_cradles import FIVE_CSV, HEADER
 from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import write_to_csv
 from src.special_cradles import make_newton_cradle
-from support.constants import NC_FP, R_PARAM
+from support.constants import R_PARAM
 from support.files.cradle_csv import LiveFile, POLL
 from support.files.data_file import whole_file
 
@@ -40,12 +40,6 @@ def test_write_to_csv_makes_a_column_of_each_key_but_objects_and_leaves_pend_lis
 def test_write_to_csv_writes_a_header_for_an_empty_list(csv):
     write_to_csv([], csv)
     assert csv.read_text() == HEADER
-
-
-def test_the_shipped_file_is_a_cradle_and_the_one_that_write_to_csv_replaces_from_any_folder():
-    assert write_to_csv.__defaults__ == (NC_FP,)
-    assert os.path.isabs(NC_FP)
-    assert make_newton_cradle(NC_FP, R_PARAM, 0)
 
 
 # --- whole files --------------------------------------------------------------------------------

@@ -11,17 +11,18 @@ from support.cradle.double_cradle import DoubleCradle
 from support.page.graph import ENERGIES, MOST_DRAWN, SUM, SWINGS
 from support.page.viewer import SAMPLES_A_SWING
 
-BOBS = {1: "rgb(255, 0, 0)", 2: "rgb(0, 255, 255)"}  # red and cyan
+# Red; and yellow, half as light: one could hardly see it.
+BOBS = {1: "rgb(255, 0, 0)", 2: "rgb(128, 128, 0)"}
 
 
 def test_each_graph_has_its_axes_its_colors_and_its_numbers(csv):
     """The last point of the last curve: of the sum, or of the second pendulum."""
-    csv.write_text(HEADER + GOOD + GOOD.replace("red", "cyan"))
+    csv.write_text(HEADER + GOOD + GOOD.replace("red", "yellow"))
     rig = Rig(csv, 30, 20, kind=DoubleCradle)
     rig.wait(0.7 * PERIOD)  # until all bobs move
     rig.viewer.take_sample()
     t = rig.viewer.motion.time()
-    p = rig.cradle.momentum()
+    p = rig.viewer.motion.sample()["momentum"]
     second = rig.cradle.pend_list[1]
     theta, omega, phi, phi_omega = [
         degrees(second[key]) for key in ("theta", "omega", "phi", "phi_omega")

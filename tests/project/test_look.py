@@ -6,10 +6,8 @@ from pages import pause, slide, wait_for_angles, wait_for_time
 from programs import wait_until
 from whole_cradles import HEADER
 
-from support.constants import R_PARAM
+from support.constants import COLOR_MAP, R_PARAM
 from support.page.scene.scenery import TO_BASE
-
-COLORS = ["black", "white", "red", "green", "blue", "yellow", "cyan", "magenta", "orange", "purple"]
 
 
 @pytest.fixture
@@ -27,7 +25,7 @@ def lights(page, *circles):
 
 def test_each_color_stands_out_from_a_white_page_with_a_contrast_of_3(large, file):
     """By its edge or its middle: a yellow bob has a dark edge."""
-    file.write_text(HEADER + "".join(f"1,1,0,0,{color},metal\n" for color in COLORS))
+    file.write_text(HEADER + "".join(f"1,1,0,0,{color},metal\n" for color in COLOR_MAP))
     pages.wait_for_cradle(large, bobs=10)
     slide(large, "Bobs lifted", 0)
     wait_for_angles(large, *[0] * 10)
@@ -35,12 +33,12 @@ def test_each_color_stands_out_from_a_white_page_with_a_contrast_of_3(large, fil
     large.wait_for_function("() => bobs().every(bob => bob.ready)")
     middles = [pages.pixel(large, bob, 0) for bob in range(10)]
     radius = (middles[1][0] - middles[0][0]) / 2.1
-    for color, middle in zip(COLORS, middles, strict=True):
+    for color, middle in zip(COLOR_MAP, middles, strict=True):
         darkest = min(lights(large, [*middle, 0.92 * radius], [*middle, 0.4 * radius]))
         assert 1.05 / (darkest + 0.05) >= 3, color
 
 
-def test_a_bob_has_a_shadow_which_is_paler_when_it_is_lifted_and_nothing_dazzles(large):
+def test_a_bob_has_a_shadow_which_is_paler_when_it_is_lifted(large):
     """The same wood is looked at with a bob above it, and without."""
     pause(large)
     pages.draw(large, True)
@@ -58,7 +56,6 @@ def test_a_bob_has_a_shadow_which_is_paler_when_it_is_lifted_and_nothing_dazzles
         return 1.5 * hanging / bare < lifted / bare_aside < 0.9
 
     wait_until(is_paler)  # the shadows come after the first picture
-    assert large.evaluate("glare()") < 0.01
 
 
 def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(shared):
@@ -81,4 +78,4 @@ def test_the_cradle_in_a_sentence_is_told_when_you_pause_or_ask_never_by_itself(
     shared.keyboard.press("t")
     wait_until(lambda: " degrees " in summary.text_content() != before)
     pause(shared)
-    wait_until(lambda: summary.text_content() == shared.evaluate("state.summary"))
+    wait_until(lambda: summary.text_content().endswith(shared.evaluate("state.summary")))

@@ -1,6 +1,5 @@
 """What is drawn on the cradle: arrows, masses, a dial, slow hits; and which bob a mouse moves."""
 
-import re
 from math import atan2, degrees, sqrt
 
 import pytest
@@ -13,11 +12,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.real_time import FRAME
 from support.energy import momentum
-from support.page.scene.marks import ARROW_TIME, LONGEST_ARROW
-
-
-def visible(rig, name):
-    return [shape for shape in rig.viewer.marks.shapes.get(name, []) if shape.visible]
+from support.page.scene.marks import LONGEST_ARROW
 
 
 @pytest.mark.parametrize("kind", [Cradle, DoubleCradle])
@@ -29,17 +24,14 @@ def test_arrows_show_velocities_and_bars_horizontal_momenta(csv, kind):
     rig.save(HEADER + "3.0,1.0,0,0,blue,metal\n" + GOOD)
     rig.give("restart")
     rig.wait(0.15)  # the first pendulum is on its way to the second one
-    cradle = rig.cradle
-    arrows = visible(rig, "arrows")
-    moves = velocities(cradle.pend_list[0])
-    assert len(arrows) == len(moves)
-    assert pytest.approx(PERIOD / 20) == ARROW_TIME
-    for arrow, bob, velocity in zip(arrows, cradle.bobs(), moves, strict=False):
+    moves = velocities(rig.cradle.pend_list[0])
+    for arrow, bob, velocity in zip(rig.marks("arrows"), rig.cradle.bobs(), moves, strict=False):
         assert arrow.pos.x == bob.pos.x
-        assert arrow.axis.value == pytest.approx((ARROW_TIME * velocity).value)
+        assert arrow.axis.value == pytest.approx((PERIOD / 20 * velocity).value)
+    assert len(rig.marks("arrows")) == len(moves)
 
     # A full bar is the most momentum that all masses M can have with the energy E, sqrt(2 M E)
-    largest = sqrt(2 * 4.0 * kind.cord_count * sum(cradle.energies()))
+    largest = sqrt(2 * 4.0 * kind.cord_count * sum(rig.cradle.energies()))
     p = 3.0 * sum(velocity.x for velocity in moves)
     chart = rig.state["bars"]
     assert chart["title"] == "Horizontal momentum (kg m/s)"
@@ -50,74 +42,85 @@ def test_arrows_show_velocities_and_bars_horizontal_momenta(csv, kind):
     caption = rig.state["motion"]["horizontal momentum"]  # what was seen of the hits
     assert ("hits keep it" in caption) == (kind is Cradle)
 
-    for name in ("arrows", "momenta"):
-        rig.give(name, False)
-    assert visible(rig, "arrows") == []
-    assert rig.state["bars"] is None
+
+def test_the_number_of_each_axle_is_above_it_and_in_view(rig):
+    highest = max(y for _, y, _ in rig.state["view"]["points"])
+    numbers = rig.marks("numbers")
+    assert [number.text for number in numbers] == [*"12345"]
+    for number, axle in zip(numbers, rig.cradle.axles(), strict=True):
+        assert number.pos.x == axle.pos.x
+        assert axle.pos.y + axle.height / 2 < number.pos.y < highest
 
 
 def test_masses_that_differ_are_below_the_bobs_and_heavier_bobs_have_wider_belts(rig):
-    assert rig.state["view"]["labels"] == []
-    assert visible(rig, "belts") == []
+    assert rig.marks("below") == []
+    assert rig.marks("belts") == []
     rig.give("edit", 0, "mass", 3.375)
     rig.give("edit", 1, "mass", 8)
-    labels = rig.state["view"]["labels"]
-    assert [label["text"] for label in labels] == ["3.375 kg", "8 kg", *["1 kg"] * 3]
+    labels = rig.marks("below")
+    assert [label.text for label in labels] == ["3.375 kg", "8 kg", *["1 kg"] * 3]
     bobs = rig.cradle.bobs()
     for label, bob in zip(labels, bobs, strict=True):
-        assert label["x"] == bob.pos.x
-        assert bob.radius < bob.pos.y - label["y"] < 1.5 * bob.radius
-    belts = visible(rig, "belts")
+        assert label.pos.x == bob.pos.x
+        assert bob.radius < bob.pos.y - label.pos.y < 1.5 * bob.radius
+    belts = rig.marks("belts")
     for belt, bob, height in zip(belts, bobs[:2], (0.5, 1.0), strict=True):
         assert belt.axis.y == pytest.approx(height * bob.radius)  # a ball's size minus 1
         middle = belt.pos + belt.axis / 2
         assert middle.value == pytest.approx(bob.pos.value)
 
 
-def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
+def test_a_dial_angles_and_speeds_can_be_measured(csv):
     """The marks are behind the outer cords, where a cord at their angle is."""
     rig = Rig(csv, 45)
     rig.give("measure", True)
-    marks = visible(rig, "dial")
-    outer = {-1: rig.cradle.axles()[0], 1: rig.cradle.axles()[4]}
+    axles = rig.cradle.axles()
     angles = []
-    for mark in marks:
-        side = 1 if mark.axis.x >= 0 else -1
-        assert diff_angle(mark.pos - outer[side].pos, mark.axis) == pytest.approx(0, abs=0.02)
+    for mark in rig.marks("dial"):
+        axle = axles[0] if mark.axis.x < 0 else axles[4]
+        assert diff_angle(mark.pos - axle.pos, mark.axis) == pytest.approx(0, abs=0.02)
         angles.append(round(degrees(atan2(mark.axis.x, -mark.axis.y))))
     assert angles == [*range(-80, 81, 10)]
-    rig.wait(1.8 * PERIOD)
-    labels = rig.state["view"]["labels"]
-    for label, pend in zip(labels, rig.cradle.pend_list, strict=False):
-        angle, speed, unit = label["text"].split("\n")
+    assert [number.text for number in rig.marks("degrees")] == ["60°", "30°", "30°", "60°"]
+    rig.wait(0.2 * PERIOD)
+    for label, pend in zip(rig.marks("below"), rig.cradle.pend_list, strict=True):
+        angle, speed, unit = label.text.split("\n")
         assert angle == f"{abs(degrees(pend['theta'])):.0f}°"
         assert float(speed) == pytest.approx(abs(pend["omega"]) * R_PARAM, abs=0.006)
         assert unit == "m/s"
-    # By the series of the period's elliptic integral, a swing of 45 degrees takes 1.0400 as long
-    # as a small one.
-    count, seconds = re.fullmatch(
-        r"(\d) in ([\d.]+) s", rig.state["motion"]["half swings"]
-    ).groups()
-    assert count == "3"
-    assert float(seconds) == pytest.approx(1.5 * 1.04 * PERIOD, abs=0.01)
-    for pend in rig.cradle.pend_list:  # it counts from the first stop, not from the start
+    rig.give("measure", False)
+    assert rig.marks("dial") == rig.marks("degrees") == rig.marks("below") == []
+    assert "half swings" not in rig.state["motion"]
+
+
+def test_half_swings_are_counted_from_the_first_stop_and_again_after_a_drag(csv):
+    """A tap moves no bob.
+
+    By the series of the period's elliptic integral, a swing of 45 degrees takes 1.0400 as long as a
+    small one.
+    """
+    rig = Rig(csv, 45)
+    rig.give("measure", True)
+
+    def counted():
+        count, _, seconds, _ = rig.state["motion"]["half swings"].split()
+        return int(count), float(seconds)
+
+    rig.wait(1.8 * PERIOD)
+    assert counted() == (3, pytest.approx(1.5 * 1.04 * PERIOD, abs=0.01))
+    for pend in rig.cradle.pend_list:
         pend["theta"] = 0.0
         pend["omega"] = 1.0
     rig.viewer.stopwatch.restart(rig.time())
     rig.wait(0.7 * PERIOD)
-    assert rig.state["motion"]["half swings"] == "0 in 0.00 s"
+    assert counted() == (0, 0)
     rig.wait(2 * PERIOD)
-    assert rig.state["motion"]["half swings"] != "0 in 0.00 s"
-    rig.mouse("grab", rig.cradle.bobs()[4].pos)
-    rig.give("let_go")  # a tap that moves no bob
-    assert rig.state["motion"]["half swings"] != "0 in 0.00 s"
-    rig.mouse("grab", rig.cradle.bobs()[4].pos)
-    rig.mouse("drag", rig.cradle.axles()[4].pos + vector(1, 0, 0))
-    rig.give("let_go")  # it counts again from there
-    assert rig.state["motion"]["half swings"] == "0 in 0.00 s"
-    rig.give("measure", False)
-    assert visible(rig, "dial") == []
-    assert "half swings" not in rig.state["motion"]
+    for place, is_kept in ((None, True), (vector(1, 0, 0), False)):
+        rig.mouse("grab", rig.cradle.bobs()[4].pos)
+        if place:
+            rig.mouse("drag", rig.cradle.axles()[4].pos + place)
+        rig.give("let_go")
+        assert (counted() != (0, 0)) == is_kept
 
 
 # --- slow hits ------------------------------------------------------------------------------
@@ -125,7 +128,7 @@ def test_a_dial_angles_speeds_and_half_swings_can_be_measured(csv):
 
 def wait_for_hit(rig):
     """Wait for a hit; return the rows of its two pendula in the table."""
-    while not rig.viewer.slow_hits.waits():
+    while not rig.viewer.slow_hits.current:
         rig.wait(FRAME)
     return rig.state["hits"][-1]["bobs"]
 
@@ -139,11 +142,11 @@ def test_each_hit_waits_in_the_order_of_the_calls(rig):
     for left in (1, 0, 2, 1, 3, 2):
         assert [int(bob["no."]) - 1 for bob in wait_for_hit(rig)] == [left, left + 1]
         places = [bob.pos.x for bob in rig.cradle.bobs()]
-        assert [ring.pos.x for ring in visible(rig, "rings")] == places[left : left + 2]
+        assert [ring.pos.x for ring in rig.marks("rings")] == places[left : left + 2]
         moving ^= {left, left + 1}
-        arrows = [arrow.pos.x for arrow in visible(rig, "arrows")]
+        arrows = [arrow.pos.x for arrow in rig.marks("arrows")]
         assert arrows == [places[bob] for bob in sorted(moving)]
-        backwards, forwards = [arrow.axis.x for arrow in visible(rig, "changes")]
+        backwards, forwards = [arrow.axis.x for arrow in rig.marks("changes")]
         # Two such bobs have the largest momentum
         assert forwards == pytest.approx(LONGEST_ARROW * R_PARAM / 2, rel=0.01)
         assert backwards == pytest.approx(-forwards)
@@ -164,11 +167,14 @@ def test_run_takes_the_rest_into_the_table_and_goes_on_to_the_next_series(rig):
         rig.give("pause")
         rig.wait(PERIOD / 8)
         assert [hit["now"] for hit in rig.state["hits"]] == [False] * 4
-        assert not visible(rig, "rings")
+        assert not rig.marks("rings")
     wait_for_hit(rig)
     rig.mouse("grab", rig.cradle.bobs()[4].pos)
     rig.mouse("drag", rig.cradle.axles()[4].pos + vector(1, 0, 0))
     assert rig.state["hits"] == []
+    rig.give("restart")  # nobody holds a bob of the new cradle
+    rig.wait(0.1)
+    assert rig.time() > 0
 
 
 def test_the_table_has_both_rates_of_double_pendula_and_the_momentum_of_their_bobs(csv):
@@ -230,13 +236,6 @@ def test_a_bob_is_dragged_while_the_time_stands_and_swings_from_there(csv, kind,
     rig.wait(0.1)
     assert rig.time() > time
     assert rig.bob_angles()[4] < 45
-
-
-def test_a_new_cradle_is_held_by_nobody(rig):
-    rig.mouse("grab", rig.cradle.bobs()[4].pos)
-    rig.give("restart")
-    rig.wait(0.1)
-    assert rig.time() > 0
 
 
 @pytest.mark.parametrize("is_held", [True, False])

@@ -40,11 +40,11 @@ def test_a_sample_has_all_figures_of_the_moment_by_their_names(swing, kind):
 
 def test_the_summary_names_the_farthest_bobs_at_their_angle(swing):
     motion = swing().motion
-    assert motion.summary() == "t = 0.00 s, energy 100.0 %, bob 1 at 30 degrees left"
+    assert motion.summary() == "bob 1 at 30 degrees left"
     _, second, third, *_ = motion.cradle.pend_list
     second["theta"] = radians(360 * 3 + 50)  # it has gone round three times
     third["theta"] = radians(48)
-    assert motion.summary().endswith(" %, bobs 2, 3 at 50 degrees right")
+    assert motion.summary() == "bobs 2, 3 at 50 degrees right"
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,6 @@ def test_the_summary_names_the_farthest_bobs_at_their_angle(swing):
     [
         (0.51, -0.0049, "0.00"),
         (0.045, 0.0049, "+0.0049"),
-        (0, -2e4, "-2.00e+04"),
     ],
 )
 def test_speeds_and_momenta_have_digits_for_the_largest_one(largest, number, text):

@@ -85,7 +85,7 @@ for refused in {refused}.split():
 REFUSED = """
 text(text='a') compound([box()]) extrusion(path=[],shape=[]) graph() gcurve() slider(bind=abs)
 scene.waitfor('click') scene.pause() scene.mouse.pick
-attach_trail(box()) box(make_trail=True) setattr(box(),'make_trail',True)
+curve() points() attach_trail(box()) box(make_trail=True) setattr(box(),'make_trail',True)
 """
 
 

@@ -6,7 +6,7 @@ import venv
 from importlib import metadata
 
 from pages import open_cradle, wait_for_throw
-from programs import end, first_lines, QUIETLY, ROOT, running
+from programs import CLOSED, end, first_lines, ROOT, running
 
 from support.start.options import CLOSED_VARIABLE, PORT_VARIABLE
 
@@ -22,7 +22,7 @@ LISTED = bounds("support/requirements.txt")
 def test_the_lists_for_pip_have_what_pyproject_names_and_each_package_has_both_bounds():
     named = bounds("pyproject.toml", r'^    "([\w-]+)([<>=][^"]+)",')
     of_tests = bounds("tests/requirements.txt")
-    assert named.keys() == {"vpython", "pandas", "setuptools", "autobahn", *of_tests}
+    assert named.keys() == {"vpython", "pandas", "setuptools", "tornado", "autobahn", *of_tests}
     assert named.items() <= {**LISTED, **of_tests}.items()
     assert bounds("pyproject.toml", r'^dev = \["(\w+)(.*)"\]') == {"pytest": of_tests["pytest"]}
     for versions in [*LISTED.values(), *of_tests.values()]:
@@ -62,4 +62,4 @@ def test_the_page_works_with_the_short_list_alone_until_the_tab_is_closed(page, 
         open_cradle(page, first_lines(process))
         wait_for_throw(page)
         page.close()
-        assert end(process) == QUIETLY
+        assert end(process) == CLOSED

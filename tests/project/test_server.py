@@ -1,42 +1,36 @@
 """What the server of the page answers at its port: to whom, and at which path."""
 
-import signal
+import json
 import socket
-import threading
 from importlib.machinery import PathFinder
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 from urllib.parse import urlsplit
 
 import programs
 import pytest
-from programs import copy_project, end, first_lines, QUIETLY, ROOT, running, SECONDS
-from web_client import BELOW, get, PING, Tab
-from whole_cradles import FIVE_CSV
+from programs import ROOT, running
+from web_client import BELOW, get, Tab
 
+from support.page.names import COMMANDS
 from support.page.server.port import listen
-from support.page.server.site import NO_KEY
 
-# It needs autobahn, which comes with VPython.
+# It needs Tornado, and the files of VPython.
 server = pytest.importorskip("support.page.server.server")
 pytestmark = programs.needs_vpython
 
 
 @pytest.fixture(scope="module")
-def site(tmp_path_factory):
-    """The address of a program that has a tab from beginning to end, and prints nothing more.
-
-    Its query is the key.
-    """
-    folder = copy_project(tmp_path_factory.mktemp("site"), FIVE_CSV)
-    program = folder / "src" / programs.PROGRAM.name
-    with running(program, patience=60 * SECONDS) as process:
-        page = urlsplit(first_lines(process))
-        tab = Tab(page)
-        tab.hear()  # now all is imported: some imports would catch the end
-        threading.Thread(target=tab.stay, daemon=True).start()
-        yield page
-        process.send_signal(signal.SIGINT)
-        assert end(process) == QUIETLY
+def site():
+    """A server, its port, and the query with the key of the tab that commands."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(server, "interrupt_main", lambda: None)
+        texts = {"command": "py a.py", "csv": "a.csv"}
+        running_server = server.Server(listen("127.0.0.1", 0), texts)
+        address = urlsplit(running_server.address())
+        yield SimpleNamespace(server=running_server, port=address.port, query=address.query)
+        running_server.close()
 
 
 def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the_program_says_so(
@@ -53,7 +47,7 @@ def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the
         assert get(page, "/", "{key}", other_address)[0] == 200
 
 
-@pytest.mark.parametrize("name", ["page.html", "../server/site.py", "%2e%2e%2fserver%2fsite.py"])
+@pytest.mark.parametrize("name", ["page.html", "../server/tabs.py", "%2e%2e%2fserver%2ftabs.py"])
 def test_a_file_that_is_not_of_the_page_is_not_there(site, name):
     assert get(site, f"/{name}")[::2] == (404, b"")
 
@@ -72,49 +66,59 @@ def test_files_that_everybody_can_download_come_whole_without_the_key(site):
     assert b"WebSocket" not in script
 
 
-@pytest.mark.parametrize("query", ["", "{key}0", "key=%ff%00"])
-def test_without_the_key_the_page_is_a_sentence(site, query):
-    for name in ("", "alive"):
-        status, headers, content = get(site, BELOW + name, query)
-        assert (status, content.decode()) == (403, NO_KEY)
-        assert site.query.removeprefix("key=") not in str(headers)
-
-
-def test_with_the_key_a_browser_gets_all_below_any_path(site):
-    """The page sends its address to no other site.
-
-    It has the command that starts the program again, should it never hear from the program.
-    """
-    for name, part in (("", b"/src/visualize_cradle_run.py</code>"), ("alive", b"alive")):
-        status, headers, content = get(site, BELOW + name)
-        assert status == 200
-        assert part in content
+def test_the_page_and_its_run_need_a_key_and_a_run_that_of_the_tab_that_commands(site):
+    """The page comes below any path, and sends its address to no other site."""
+    follow = f"follow={site.server.keys['follow']}"
+    for query, page, gets_run in (
+        ("", 403, False),
+        ("{key}0", 403, False),
+        ("key=%ff%00", 400, False),
+        (follow, 200, False),
+        ("{key}", 200, True),
+    ):
+        status, headers, content = get(site, BELOW, query)
+        assert status == page
         assert headers["Referrer-Policy"] == "no-referrer"
+        assert (b"py a.py</code>" in content) == gets_run
+        assert (content.decode() == server.NO_KEY) == (status == 403)
+        with mock.patch.object(site.server.tabs, "pictures", list):
+            found = get(site, f"{BELOW}run.html", query)[0]
+        assert (found == 404) == gets_run  # there is no picture to save
 
 
 @pytest.mark.parametrize(
     ("query", "origin", "status"),
     [
         ("{key}", "https://a-cradle.example.org", 101),
-        ("", "http://127.0.0.1", 403),
         ("{key}0", "http://127.0.0.1", 403),
-        ("{key}", None, 403),  # no browser
-        ("{key}", "null", 400),  # a frame that a page has shut in
-        ("{key}", "file://", 400),
+        ("", "http://127.0.0.1", 403),
+        ("{key}", "null", 403),  # a frame that a page has shut in, or a file
     ],
 )
-def test_only_a_browser_with_the_key_gets_the_websocket_at_any_address(site, query, origin, status):
+def test_only_a_browser_with_a_key_gets_the_websocket_at_any_address(site, query, origin, status):
     with Tab(site, query, origin, BELOW) as tab:
         assert tab.answer.status == status
 
 
+def test_a_tab_with_the_second_key_gets_all_and_commands_nothing(site):
+    site.server.tabs.tell({"title": "A cradle"})
+    query = f"follow={site.server.keys['follow']}"
+    with Tab(site, query) as follower, Tab(site) as tab:
+        assert follower.hear() == tab.hear()
+        for command in COMMANDS:
+            follower.tell(json.dumps([command, 1, 1]).encode())
+        follower.tell(b'["seen", 1]')
+        programs.wait_until(site.server.tabs.is_seen.is_set)
+        tab.tell(b'["pause"]')
+        assert site.server.tabs.commands.get(timeout=programs.SECONDS) == ["pause"]
+
+
 def test_a_tab_that_would_fill_the_memory_is_cut_off(site):
-    """At the begin of its message, not when it has been silent for some time."""
+    """At the begin of its message."""
     with Tab(site) as tab:
-        size = (20_000_000).to_bytes(8, "big")
+        size = (10_000_000).to_bytes(8, "big")
         tab.connection.sock.sendall(b"\x81\xff" + size + bytes(4))
-        heard = tab.answer.fp.read()  # until the end
-        assert heard.count(bytes([PING, 0])) < 3
+        tab.answer.fp.read()  # until the end
 
 
 def test_an_address_that_the_page_cannot_have_is_named_and_a_port_is_free_at_the_end():

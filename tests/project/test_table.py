@@ -13,7 +13,8 @@ def test_the_table_shows_pend_list_as_it_is_now(rig):
     expected = {key: [*map(str, rig.values(key))] for key in ("mass", "e")}
     for key in ("theta", "omega"):
         expected[key] = [f"{number:.6f}" for number in rig.values(key)]
-    assert {column["title"]: column["texts"] for column in rig.state["table"]} == expected
+    titles = [title for title, *_ in rig.state["columns"]]
+    assert dict(zip(titles, rig.state["cells"], strict=True)) == expected
 
 
 def test_the_cradle_of_an_edited_cell_has_the_masses_and_e_that_are_shown(rig, csv):
@@ -42,9 +43,7 @@ def test_what_the_program_sets_itself_cannot_be_changed_and_says_so(csv, write, 
     rig = Rig(csv)
     text += ", set by the program"
     assert rig.control(name) == rig.control(name) | {"enabled": False, "text": text}
-    for column in rig.state["table"]:
-        if column["title"].startswith(name):
-            assert column == column | {"title": f"{name}, set by the program", "limits": None}
+    assert not any(limits for title, limits, _ in rig.state["columns"] if title == name)
 
 
 # --- Save as CSV ---------------------------------------------------------------------------------

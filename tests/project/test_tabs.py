@@ -2,6 +2,7 @@
 
 import json
 from fractions import Fraction
+from math import inf
 from unittest.mock import patch
 
 import pytest
@@ -9,7 +10,7 @@ from hypothesis import settings, strategies
 from hypothesis.stateful import rule, RuleBasedStateMachine, run_state_machine_as_test
 
 from support.page.server.changes import Changes
-from support.page.server.tabs import MOST_MESSAGES, Tabs
+from support.page.server.tabs import ROOM, Tab, Tabs
 
 SPHERE = {"cmd": "sphere", "idx": 1}
 CANVAS = {"cmd": "canvas", "idx": 0}
@@ -24,9 +25,8 @@ def test_changes_merge_into_one_message_with_the_result_of_all():
     changes = Changes()
     changes.add({}, [SPHERE, CANVAS], ["a12a0,0", "a1a0,0", "m0Gkey", "b12a5"])
     changes.add({}, [WOOD], ["a12a4,5", "m0Gkey"])
-    message = json.loads(changes.message(0))
-    assert message["cmds"] == [{**SPHERE, **WOOD}, CANVAS]
-    assert message["attrs"] == ["a1a0,0", "b12a5", "a12a4,5", "m0Gkey"]
+    drawing = [*json.loads(changes.message(0))["drawing"].values()]
+    assert drawing == [{**SPHERE, **WOOD}, CANVAS, "a1a0,0", "b12a5", "a12a4,5", "m0Gkey"]
 
 
 def now(function, *arguments):
@@ -52,42 +52,62 @@ def given(tabs):
     return names
 
 
-def open_tab(tabs, name, *messages):
-    """Open a tab that has got these messages; return the list of all that it gets."""
-    messages = [*messages]
-    has = messages[-1]["number"] if messages else 0
-    tabs.open(name, lambda message: messages.append(json.loads(message)), has)
-    return messages
+def open_tab(tabs):
+    """Open a tab; return it, and the list of all that it gets."""
+    messages = []
+    tab = Tab(lambda message: messages.append(json.loads(message)))
+    tabs.open(tab)
+    return tab, messages
 
 
-@pytest.mark.parametrize(("size", "most"), [(1, 24), (2**16, 4), (2**19, 1)])
-def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_of_all(
-    tabs, size, most
-):
-    """On a long way, an answer for each one would mean few pictures.
-
-    One always goes, however many bytes it has, and so does the end of the program.
-    """
-    sent = open_tab(tabs, 1)
+def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_of_all(tabs):
+    """On a long way, an answer for each one would mean few pictures. The end always goes."""
+    tab, sent = open_tab(tabs)
     for number in range(100):
-        assert tabs.have_room() == (number < most)
+        assert tabs.have_room() == (number < ROOM)
         tabs.drawing = {"attrs": [f"a{number % 2}a{number}"]}
-        tabs.show({"t": f"{number:{size}}"})
-    assert len(sent) == most
-    tabs.show({"ended": ""})
-    assert len(sent) == most + 1
-    assert sent[-1]["attrs"] == ["a0a98", "a1a99"]
-    assert int(sent[-1]["state"]["t"]) == 99
-    tabs.receive(1, b"seen " * 2 * MOST_MESSAGES)  # for more pictures than messages
-    assert tabs.have_room()
+        tabs.show({"t": number})
+    assert len(sent) == ROOM
+    tabs.show({"ended": True})
+    assert len(sent) == ROOM + 1
+    assert sent[-1] == {
+        "drawing": {"a0a": "a0a98", "a1a": "a1a99"},
+        "state": {"t": 99, "ended": True},
+    }
+    for _ in range(3 * ROOM):  # for more pictures than messages
+        tabs.receive(tab, '["seen", 1]')
+    assert tab.room == ROOM
+
+
+def test_a_text_of_the_state_has_no_folder_of_this_machine(tabs):
+    _, sent = open_tab(tabs)
+    for text, told in (
+        ("No such file: '/home/ann/My files/a.csv'", "No such file: 'a.csv'"),
+        ("No such file: 'C:\\\\Users\\\\ann\\\\a.csv'", "No such file: 'a.csv'"),
+        ("in /home/ann/a.py, line 3", "in a.py, line 3"),
+        ("src/swinging.py, line 3: 1 kg m/s", "src/swinging.py, line 3: 1 kg m/s"),
+    ):
+        tabs.tell({"error": text, "mistakes": [text], "saved_csv": {"mistake": text}})
+        state = sent[-1]["state"]
+        assert state == {"error": told, "mistakes": [told], "saved_csv": {"mistake": told}}
 
 
 def test_a_tab_gets_only_what_has_changed(tabs):
-    sent = open_tab(tabs, 1)
-    tabs.show({"t": Fraction(1, 2), "a": "b"})  # a student's number can be of any kind
+    _, sent = open_tab(tabs)
+    tabs.show({"t": 1, "a": "b"})
     tabs.show({"t": 2, "a": "b"})
     tabs.show({"t": 2})
-    assert [message["state"] for message in sent] == [{"t": 0.5, "a": "b"}, {"t": 2}]
+    assert [message["state"] for message in sent] == [{"t": 1, "a": "b"}, {"t": 2}]
+
+
+@pytest.mark.parametrize(
+    ("number", "told"), [(Fraction(1, 2), 0.5), (1j, "1j"), (-inf, None), ("x,NaN", "x,NaN")]
+)
+def test_a_number_of_any_kind_reaches_a_tab(tabs, number, told):
+    """A student's function can make it."""
+    _, sent = open_tab(tabs)
+    tabs.show({"t": [number]})
+    assert sent[0]["state"]["t"] == [told]
 
 
 def picture_of(messages):
@@ -98,12 +118,13 @@ def picture_of(messages):
     """
     picture = {}
     for message in messages:
-        for cmd in message["cmds"]:
-            picture |= {(cmd["idx"], name): value for name, value in cmd.items()}
-        for text in message["attrs"]:
-            length, other = text[3:].split(",")
-            picture[text[1], "length"] = length
-            picture[text[1], text[2]] = other
+        for change in message["drawing"].values():
+            if isinstance(change, dict):
+                picture |= {(change["idx"], name): value for name, value in change.items()}
+                continue
+            length, other = change[3:].split(",")
+            picture[change[1], "length"] = length
+            picture[change[1], change[2]] = other
         picture |= message["state"]
     return picture
 
@@ -113,7 +134,7 @@ ATTRS = ["a1f1,2", "a1f3,4", "a1g1,3", "a1g2,2", "a2f1,2", "a2g3,3"]
 
 
 class ComingAndGoing(RuleBasedStateMachine):
-    """Whenever tabs come, answer, and lose their line, all show the same in the end.
+    """Whenever tabs come and answer, all show the same in the end.
 
     A change comes after those that it may change: to set the size of a shape changes its axis.
     """
@@ -121,14 +142,13 @@ class ComingAndGoing(RuleBasedStateMachine):
     def __init__(self):
         super().__init__()
         self.tabs = Tabs(now)
-        self.drawings = []
-        self.sent = {}  # the messages of each tab, by its name
-        self.come()
+        self.opened = []  # tabs, and the messages of each one
+        self.first, self.all = open_tab(self.tabs)
+        self.first.room = 1000  # it gets each change
 
     @rule()
-    def come(self, *messages):
-        name = max(self.sent, default=0) + 1
-        self.sent[name] = open_tab(self.tabs, name, *messages)
+    def come(self):
+        self.opened.append(open_tab(self.tabs))
 
     @rule(
         cmds=strategies.lists(strategies.sampled_from(CMDS), max_size=1),
@@ -139,28 +159,21 @@ class ComingAndGoing(RuleBasedStateMachine):
         drawing = {"cmds": cmds, "attrs": attrs}
         with patch("support.page.server.tabs.take_changes", lambda: drawing):
             self.tabs.show(state)
-        self.drawings.append({**drawing, "state": state})
 
     @rule(data=strategies.data())
     def answer(self, data):
-        self.tabs.receive(data.draw(strategies.sampled_from([*self.sent])), b"seen")
-
-    @rule(data=strategies.data())
-    def lose_a_line(self, data):
-        """Lose the last messages; the page comes back with the others, or without any."""
-        name = data.draw(strategies.sampled_from([*self.sent]))
-        self.tabs.close(name)
-        messages = self.sent.pop(name)
-        self.come(*messages[: data.draw(strategies.integers(0, len(messages)))])
+        if self.opened:
+            tab, _ = data.draw(strategies.sampled_from(self.opened))
+            self.tabs.receive(tab, '["seen", 1]')
 
     def teardown(self):
-        for name, messages in self.sent.items():
-            self.tabs.receive(name, b"seen")
-            assert picture_of(messages) == picture_of(self.drawings)
+        for tab, messages in self.opened:
+            self.tabs.receive(tab, '["seen", 1]')
+            assert picture_of(messages) == picture_of(self.all)
 
 
 def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(monkeypatch):
-    monkeypatch.setattr("support.page.server.tabs.MOST_MESSAGES", 2)
+    monkeypatch.setattr("support.page.server.tabs.ROOM", 2)
     run_state_machine_as_test(
         ComingAndGoing,
         settings=settings(
@@ -187,19 +200,18 @@ def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(mon
 def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_closed(
     tabs, events, commands
 ):
-    open_tab(tabs, "1")
-    open_tab(tabs, "2")
+    opened = {"1": open_tab(tabs)[0], "2": open_tab(tabs)[0]}
     for event in events.split(", "):
         name, event = event.split(" ", 1)
         if event == "closes":
-            tabs.close(name)
+            tabs.close(opened[name])
         else:
-            tabs.receive(name, json.dumps([event, 1, 2]).encode())
+            tabs.receive(opened[name], json.dumps([event, 1, 2]))
     assert given(tabs) == commands.split(", ")
 
 
-@pytest.mark.parametrize("message", [b"", b"[", b"5", b"\xff"])
+@pytest.mark.parametrize("message", ["", "[", "5", '["seen"]', '["seen", "a"]', b"\xff"])
 def test_a_message_without_a_command_is_forgotten(tabs, message):
-    open_tab(tabs, 1)
-    tabs.receive(1, message)
+    tab, _ = open_tab(tabs)
+    tabs.receive(tab, message)
     assert given(tabs) == []

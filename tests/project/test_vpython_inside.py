@@ -46,9 +46,8 @@ first = take_changes()
 ball.pos = vpython.vector(4, 5, 6)
 ball.clear_trail()
 files = files_for_a_browser()
-json.dump([ball.idx, first, take_changes(), take_changes(),
-    {{name: file if isinstance(file, bytes) else "path" for name, file in files.items()}}],
-    sys.stdout, default=bytes.decode)
+files = {{name: content.decode(errors="ignore") for name, content in files.items()}}
+json.dump([ball.idx, first, take_changes(), take_changes(), files], sys.stdout)
 """
 
 

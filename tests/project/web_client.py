@@ -1,7 +1,6 @@
 """What asks the server of a page without a browser: a request, and a tab."""
 
 import json
-import random
 import socket
 from contextlib import ExitStack, suppress
 from http.client import HTTPConnection
@@ -28,8 +27,7 @@ def get(*request, **headers):
     return answer.status, answer.headers, answer.read()
 
 
-# The first bytes of messages of a websocket
-TEXT, GOODBYE, PING, PONG = 0x81, 0x88, 0x89, 0x8A
+TEXT, GOODBYE = 0x81, 0x88  # the first bytes of messages of a websocket
 
 
 class Tab(ExitStack):
@@ -44,7 +42,6 @@ class Tab(ExitStack):
             "Sec_WebSocket_Key": "dGhlIHNhbXBsZSBub25jZQ==",
             "Origin": origin,
         }
-        query = f"{query}&page={random.random()}&has=0"
         self.connection, self.answer = ask(page, f"{folder}ws", query, **headers)
         self.callback(self.connection.close)
         self.callback(self.answer.close)
@@ -52,12 +49,12 @@ class Tab(ExitStack):
             self.callback(self.leave)
 
     def leave(self):
-        """Say that the tab is closed, and wait until this is heard.
+        """Say, as a browser, that the tab is closed, and wait until this is heard.
 
         A socket that closes with unread bytes takes it back.
         """
         with suppress(OSError):  # the program may have ended
-            self.tell((4001).to_bytes(2, "big"), GOODBYE)
+            self.tell((1001).to_bytes(2, "big"), GOODBYE)
             self.connection.sock.shutdown(socket.SHUT_WR)
             self.answer.fp.read()
 
@@ -67,24 +64,13 @@ class Tab(ExitStack):
         self.connection.sock.sendall(head + message)
 
     def hear(self):
-        """Return the next message of the program, and answer that the picture is drawn.
-
-        Answer each ping before it.
-        """
+        """Return the next message of the program, and answer that the picture is drawn."""
         read = self.answer.fp.read
         while True:
-            kind, size = read(2)
+            _, size = read(2)
             if size > 125:
                 size = int.from_bytes(read({126: 2, 127: 8}[size]), "big")
             data = read(size)
-            if kind == PING:
-                self.tell(data, PONG)
-            elif data:  # else it is only a sign of life
-                self.tell(b"seen")
+            if data:  # else it is only a sign of life
+                self.tell(b'["seen", 1]')
                 return json.loads(data)
-
-    def stay(self):
-        """Answer the program until it ends."""
-        with suppress(ValueError):  # no more bytes
-            while True:
-                self.hear()

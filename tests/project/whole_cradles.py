@@ -50,8 +50,6 @@ def hang_double(
         "phi_omega": phi_omega,
         "mass": mass,
         "e": e,
-        "color": "white",
-        "texture": "none",
         "objects": make_double_pendulum(vector(*axle, 0), r_param, theta, phi, color.white, None),
     }
 
@@ -110,16 +108,13 @@ class FrameError(Exception):
     """The player begins its next frame."""
 
 
-def go_on(player, file=None) -> None:
-    """Run a program, or go on in its loop, until the player would begin a frame.
-
-    The program is that of the cradle, or this file.
-    """
+def go_on(player) -> None:
+    """Run the program of the cradle, or go on in its loop, until the player would begin a frame."""
     cradle = player.cradle
     with patch.object(player, "frame", side_effect=FrameError), suppress(FrameError):
         if player.next_cradle.is_wanted:
             player.begin()
-            run_once(file or PROGRAMS[cradle.kind], player)
+            run_once(PROGRAMS[cradle.kind], player)
         while player.is_running(cradle.pend_list):
             cradle.tick_function(cradle.pend_list, R_PARAM, cradle.dt, G)
 
@@ -146,36 +141,33 @@ def settings_for(file, angles=(None,), lifted=None, **options) -> Settings:
 
 
 class Swing(Player):
-    """A player with the number of ticks that a test sets, of a program: this file, or ours."""
+    """A player with the number of ticks that a test sets, ."""
 
-    def __init__(self, cradle, settings, file=None):
+    def __init__(self, cradle, settings):
         super().__init__(cradle, settings, 1e9)
-        self.file = file
-        go_on(self, file)
+        go_on(self)
 
     def swing(self, ticks):
         self.plan(ticks)
-        go_on(self, self.file)
+        go_on(self)
 
     def read(self, text):
         """Make the cradle of this text, the new content of the CSV."""
         filepath = self.next_cradle.settings.csv.filepath
         filepath.write_text(text)
         self.next_cradle.want(csv=checked(filepath, self.cradle.cord_count))
-        go_on(self, self.file)
+        go_on(self)
 
 
-def make_swing(
-    folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, file=None, **options
-) -> Swing:
+def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, **options) -> Swing:
     """Write this CSV to the folder; return a player of its cradle with these options.
 
-    It is released from angle and phi (degrees). file is a program in place of ours.
+    It is released from angle and phi (degrees).
     """
     angles = thetas([angle, phi][: kind.cord_count])
     path = folder / "cradle.csv"
     path.write_text(csv)
-    return Swing(kind(), settings_for(path, angles, lift, **options), file)
+    return Swing(kind(), settings_for(path, angles, lift, **options))
 
 
 def make_row(count, theta=0.0, **values) -> list[dict]:

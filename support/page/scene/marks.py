@@ -1,10 +1,11 @@
 """What the page draws to show why the cradle moves so: arrows, ghosts, rings, a dial, and texts."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
+from itertools import zip_longest
 from math import degrees, hypot, pi, radians, sqrt
 from typing import Any, NamedTuple
 
-from vpython import arrow, cylinder, ring, sphere, vector
+from vpython import arrow, color, cylinder, label, ring, sphere, vector
 
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
@@ -31,20 +32,18 @@ PINK = vector(0.8, 0.1, 0.5)  # of the arrows of a hit
 ORANGE = vector(0.9, 0.4, 0.0)  # of the rings
 GREY = vector(0.5, 0.5, 0.53)  # of the dial
 DARK = vector(0.15, 0.15, 0.17)  # of the belts
+# Texts, in the colors of the page (style.css). yoffset 1 is above a place, -1 below it. The letters
+# are as high as the page's, but no text is wider than its space (m), if it has one (marks.js):
+# VPython itself uses space only for a line.
+TEXT = {"background": color.white, "font": "sans-serif", "box": False, "line": False}
+PALE = {**TEXT, "color": vector(0.34, 0.38, 0.42), "opacity": 0}
+INK = {**TEXT, "color": vector(0.12, 0.14, 0.16), "opacity": 0.7}
+APART = R_PARAM / 4  # of the axles
+GHOST = 0.45  # of the color of its bob that a ghost has; the rest is white
 # The direction from a bob to the camera (FORWARD in camera.js).
 TO_CAMERA = vector(0, 0.2, 1)
 # From a bob to its ghost, in radii: the bob hides the ghost if both are at the same angle.
 BEHIND = -0.5 * TO_CAMERA
-
-
-class Label(NamedTuple):
-    """A text in the picture, its place (m), and its kind: camera.js has a style for each."""
-
-    x: float
-    y: float
-    text: str
-    kind: str
-    answer: int | None = None  # of its ghosts, if it is their name
 
 
 class GhostPoses(NamedTuple):
@@ -52,7 +51,7 @@ class GhostPoses(NamedTuple):
 
     poses: Mapping[int, Sequence[float]]
     name: str  # above them
-    answer: int | None = None  # whose they are: ghosts.js shows those of yours
+    answer: int | None = None  # whose they are: marks.js shows those of yours
 
 
 class Marks:
@@ -60,8 +59,7 @@ class Marks:
 
     def __init__(self) -> None:
         self.has_arrows = False
-        self.measures = False  # whether the dial, the angles and the speeds are shown
-        self.answers: list[int | None] = []  # of the ghosts: their answers
+        self.measures = False  # whether the dial, angles, speeds and half swings are shown
         self.shapes: dict[str, list] = {}  # all that were made, by their name
 
     def surround(self, cradle: Cradle, digits: int) -> None:
@@ -71,61 +69,51 @@ class Marks:
         """
         self.cradle = cradle
         self.digits = digits
-        self.place_dial()
+        numbers = []
+        for number, axle in enumerate(cradle.axles(), start=1):
+            numbers.append({"pos": axle.pos + vector(0, axle.height, 0), "text": str(number)})
+        self.draw("numbers", label, numbers, **PALE, yoffset=1, space=APART)
 
-    def take(self, name: str, count: int, kind: type, **attributes: Any) -> list:
-        """Return the first shapes with this name; make those that are missing, and hide the rest.
+    def draw(self, name: str, kind: type, shown: Sequence[Mapping], **attributes: Any) -> list:
+        """Return the shapes with this name, each with what it shows; hide the others.
 
-        They never become parts of a cradle, and no part becomes one: in the browser, a shape stays
-        pickable, or not. ghosts.js knows ghosts by the order in which they were made.
+        attributes are for all of them, from the start. They never become parts of a cradle, and no
+        part becomes one: in the browser, a shape stays pickable, or not.
         """
         shapes = self.shapes.setdefault(name, [])
-        while len(shapes) < count:
+        while len(shapes) < len(shown):
             shapes.append(kind(**attributes))
-        for number, shape in enumerate(shapes):
-            is_needed = number < count
-            if shape.visible != is_needed:  # VPython would send it again
-                shape.visible = is_needed
-        return shapes[:count]
+        for shape, values in zip_longest(shapes, shown, fillvalue={"visible": False}):
+            for key, value in {"visible": True, **values}.items():
+                if getattr(shape, key) != value:  # VPython would send it again
+                    setattr(shape, key, value)
+        return shapes[: len(shown)]
 
-    def switch_arrows(self, is_shown: bool) -> None:
-        """Show the velocities as arrows, or not."""
-        self.has_arrows = is_shown
+    def show(self, slow_hits: SlowHits, ghosts: Sequence[GhostPoses]) -> dict[int, int | None]:
+        """Show all marks: as in the current slow hit, or as it is now.
 
-    def switch_measures(self, is_shown: bool) -> None:
-        """Show the dial, angles, speeds and the half swings, or not."""
-        self.measures = is_shown
-        self.place_dial()
-
-    def show(self, slow_hits: SlowHits, ghosts: Sequence[GhostPoses]) -> list[Label]:
-        """Show all marks: as in the current slow hit, or as it is now. Return the texts.
-
-        During a slow hit, there are no ghosts: they cover its arrows.
+        During a slow hit, there are no ghosts: they cover its arrows. Return what show_ghosts does.
         """
         pend_list = slow_hits.shown_pendula()
+        self.show_dial()
         self.show_arrows(pend_list)
         self.show_belts()
         self.show_hit(slow_hits)
-        names = self.show_ghosts([] if slow_hits.waits() else ghosts)
-        return [*self.bob_labels(pend_list), *self.dial_labels(), *names]
+        self.write_below_bobs(pend_list)
+        return self.show_ghosts([] if slow_hits.current else ghosts)
 
     # --- the motion --------------------------------------------------------------------------
 
     def show_arrows(self, pend_list: Sequence[Pendulum]) -> None:
         """Show the velocities of these pendula, or hide all arrows."""
-        if not self.has_arrows:
-            self.take("arrows", 0, arrow)
-            return
         motions = [motion for pend in pend_list for motion in bob_motions(pend, R_PARAM)]
-        moving = []  # the bobs that move, and their velocities (m/s)
+        arrows = []
         for bob, (_, vx, vy) in zip(self.cradle.bobs(), motions, strict=True):
-            if hypot(vx, vy) > SLOWEST_WITH_ARROW:
-                moving.append((bob, vector(vx, vy, 0)))
-        arrows = self.take("arrows", len(moving), arrow, color=GREEN)
-        for pointer, (bob, velocity) in zip(arrows, moving, strict=True):
-            pointer.pos = bob.pos + bob.radius * TO_CAMERA
-            pointer.axis = ARROW_TIME * velocity
-            pointer.shaftwidth = bob.radius / 3
+            if self.has_arrows and hypot(vx, vy) > SLOWEST_WITH_ARROW:
+                place = bob.pos + bob.radius * TO_CAMERA
+                axis = ARROW_TIME * vector(vx, vy, 0)
+                arrows.append({"pos": place, "axis": axis, "shaftwidth": bob.radius / 3})
+        self.draw("arrows", arrow, arrows, color=GREEN)
 
     def show_belts(self) -> None:
         """Show a dark belt around each bob that is heavier than the lightest one.
@@ -135,23 +123,20 @@ class Marks:
         """
         masses = self.cradle.shown("mass")
         lightest = min((mass for mass in masses if mass), default=1.0)
-        belted = []
+        belts = []
         for pend, mass in zip(self.cradle.pend_list, masses, strict=True):
             width = min(WIDEST, ((mass or lightest) / lightest) ** (1 / 3) - 1)
-            if width > 0:
-                belted += [(bob, width) for bob in pend["objects"][1::2]]
-        belts = self.take("belts", len(belted), cylinder, color=DARK)
-        for belt, (bob, width) in zip(belts, belted, strict=True):
-            height = max(NARROWEST, width) * bob.radius
-            belt.pos = bob.pos - vector(0, height / 2, 0)
-            belt.axis = vector(0, height, 0)
-            belt.radius = 1.02 * bob.radius
+            for bob in pend["objects"][1::2] if width > 0 else ():
+                axis = vector(0, max(NARROWEST, width) * bob.radius, 0)
+                place = bob.pos - axis / 2
+                belts.append({"pos": place, "axis": axis, "radius": 1.02 * bob.radius})
+        self.draw("belts", cylinder, belts, color=DARK)
 
-    def bob_labels(self, pend_list: Sequence[Pendulum]) -> list[Label]:
-        """Return texts below the bobs: the mass, if masses differ; and what is measured."""
+    def write_below_bobs(self, pend_list: Sequence[Pendulum]) -> None:
+        """Write the mass below each bob, if masses differ; and what is measured."""
         masses = self.cradle.shown("mass")
         has_masses = len({*masses}) > 1
-        labels = []
+        texts = []
         for pend, mass in zip(pend_list, masses, strict=True):
             motions = bob_motions(pend, R_PARAM)
             bobs = pend["objects"][1::2]
@@ -165,103 +150,102 @@ class Marks:
                         f"{hypot(vx, vy):.{self.digits}f}",
                         "m/s",
                     ]
-                below = bob.pos.y - 1.15 * bob.radius
                 if lines:
-                    labels.append(Label(bob.pos.x, below, "\n".join(lines), "bob"))
-        return labels
+                    below = bob.pos - vector(0, 1.15 * bob.radius, 0)
+                    texts.append({"pos": below, "text": "\n".join(lines)})
+        self.draw("below", label, texts, **INK, yoffset=-1, space=APART)
 
     # --- a hit that is shown slowly ------------------------------------------------------------
 
     def show_hit(self, slow_hits: SlowHits) -> None:
         """Put rings around the pair of a hit, and show how it changed momenta; or hide both."""
-        slow_hit = slow_hits.current
-        pair = (slow_hit.hit.left, slow_hit.hit.right) if slow_hit else ()
-        bobs: list = []
-        for number in pair:
-            bobs += self.cradle.pend_list[number]["objects"][1::2]
-        rings = self.take("rings", len(bobs), ring, color=ORANGE, axis=vector(0, 0, 1))
-        for circle, bob in zip(rings, bobs, strict=True):
-            circle.pos = bob.pos + bob.radius * TO_CAMERA
-            circle.radius = 1.05 * bob.radius
-            circle.thickness = 0.08 * bob.radius
-        count = len(pair) if self.cradle.shows("momentum") else 0
-        arrows = self.take("changes", count, arrow, color=PINK, pickable=False)
-        if not slow_hit or not arrows:
-            return
-        for pointer, number, old, new in zip(
-            arrows, pair, slow_hit.hit.before, slow_hit.hit.after, strict=True
-        ):
-            bob = self.cradle.pend_list[number]["objects"][1]
-            change = momentum([new], R_PARAM) - momentum([old], R_PARAM)
-            pointer.pos = bob.pos + vector(0, ABOVE * bob.radius, 0)
-            part = change / slow_hits.motion.most_momentum
-            pointer.axis = vector(LONGEST_ARROW * self.cradle.cords_length * part, 0, 0)
-            pointer.shaftwidth = bob.radius / 2
+        rings = []
+        arrows = []
+        if slow_hits.current:
+            hit = slow_hits.current.hit
+            for number, old, new in zip((hit.left, hit.right), hit.before, hit.after, strict=True):
+                bobs = self.cradle.pend_list[number]["objects"][1::2]
+                radius = bobs[0].radius
+                size = {"radius": 1.05 * radius, "thickness": 0.08 * radius}
+                rings += [{"pos": bob.pos + radius * TO_CAMERA, **size} for bob in bobs]
+                gain = momentum([new], R_PARAM) - momentum([old], R_PARAM)
+                part = gain / slow_hits.motion.most_momentum
+                place = bobs[0].pos + vector(0, ABOVE * radius, 0)
+                axis = vector(LONGEST_ARROW * self.cradle.cords_length * part, 0, 0)
+                arrows.append({"pos": place, "axis": axis, "shaftwidth": radius / 2})
+        self.draw("rings", ring, rings, color=ORANGE, axis=vector(0, 0, 1))
+        told = [] if self.cradle.hidden else arrows
+        self.draw("changes", arrow, told, color=PINK, pickable=False)
 
     # --- ghosts: of each answer, or of a file ----------------------------------------------------
 
-    def show_ghosts(self, all_poses: Sequence[GhostPoses]) -> list[Label]:
-        """Show ghosts of bobs and cords, or none; return their names, one above all ghosts of it.
+    def show_ghosts(self, all_poses: Sequence[GhostPoses]) -> dict[int, int | None]:
+        """Show ghosts of bobs and cords, or none, and their names, one above all ghosts of it.
 
-        Nobody can pick a ghost. So it is no bob for the page. ghosts.js makes it pale, and hides
-        those of other answers.
+        They look transparent. VPython's own transparency would distort the whole picture: it draws
+        it in 640 x 400 pixels, and stretches it. Nobody can pick a ghost. So it is no bob for the
+        page. Return whose they are: the answer, by VPython's number of each shape.
         """
-        self.answers = []
-        for ghosts in all_poses:
-            self.answers += [ghosts.answer] * sum(map(len, ghosts.poses.values()))
-        count = len(self.answers)
-        bobs = self.take("ghosts", count, sphere, shininess=0, pickable=False)
-        threads = self.take("threads", count, cylinder, pickable=False)
-        shapes = zip(bobs, threads, strict=True)
+        bobs: list[dict[str, Any]] = []
+        threads = []
         names = []
-        for ghosts in all_poses:
-            places = self.place_ghosts(ghosts, shapes)
+        for poses, name, answer in all_poses:
+            places = []
+            for index, angles in poses.items():
+                axle, *parts = self.cradle.pend_list[index]["objects"]
+                end = axle.pos + parts[0].radius * BEHIND
+                for angle, bob, cord in zip(angles, parts[::2], parts[1::2], strict=False):
+                    axis = arm(angle, R_PARAM)
+                    threads.append(
+                        {
+                            "pos": end,
+                            "axis": axis,
+                            "radius": 0.9 * cord.radius,
+                            "color": pale(cord.color),
+                            "answer": answer,
+                        }
+                    )
+                    end = end + axis
+                    places.append(end)
+                    # A bob hides its ghost, where both are in one place
+                    bobs.append(
+                        {
+                            "pos": end,
+                            "radius": 0.97 * bob.radius,
+                            "color": pale(bob.color),
+                            "answer": answer,
+                        }
+                    )
             if places:
                 x = sum(place.x for place in places) / len(places)
                 y = max(place.y for place in places) + self.cradle.bobs()[0].radius
-                names.append(Label(x, y, ghosts.name, "name", ghosts.answer))
-        return names
-
-    def place_ghosts(self, ghosts: GhostPoses, shapes: Iterator) -> list[vector]:
-        """Place the next of these pairs, a ghost and its thread; return the places of ghosts."""
-        places = []
-        for index, angles in ghosts.poses.items():
-            axle, *parts = self.cradle.pend_list[index]["objects"]
-            end = axle.pos + parts[0].radius * BEHIND
-            for angle, bob, cord in zip(angles, parts[::2], parts[1::2], strict=False):
-                ghost, thread = next(shapes)
-                axis = arm(angle, R_PARAM)
-                thread.pos = end
-                thread.axis = axis
-                thread.radius = 0.9 * cord.radius
-                thread.color = cord.color
-                end = end + axis
-                ghost.pos = end
-                ghost.radius = 0.97 * bob.radius  # hidden by the bob, where both are in one place
-                ghost.color = bob.color
-                places.append(end)
-        return places
+                names.append({"pos": vector(x, y, 0), "text": name, "answer": answer})
+        shapes = [
+            *self.draw("ghosts", sphere, bobs, answer=None, shininess=0, pickable=False),
+            *self.draw("threads", cylinder, threads, answer=None, pickable=False),
+            *self.draw("names", label, names, answer=None, **INK, yoffset=1),
+        ]
+        return {shape.idx: shape.answer for shape in shapes}
 
     # --- measurements --------------------------------------------------------------------------
 
-    def place_dial(self) -> None:
-        """Put marks, 10 degrees apart, behind the outer upper cords; or hide them."""
-        marks = [radians(angle) for angle in range(-80, 81, 10)] if self.measures else []
+    def show_dial(self) -> None:
+        """Put marks, 10 degrees apart, behind the outer upper cords, with numbers; or hide them."""
         axles = self.cradle.axles()
-        lines = self.take("dial", len(marks), cylinder, color=GREY, radius=R_PARAM / 300)
-        for line, theta in zip(lines, marks, strict=True):
+        marks = []
+        numbers = []
+        for angle in range(-80, 81, 10) if self.measures else ():
+            theta = radians(angle)
             axle = axles[0] if theta < 0 else axles[-1]
-            line.pos = axle.pos + arm(theta, DIAL * R_PARAM) - vector(0, 0, R_PARAM / 100)
-            line.axis = arm(theta, MARK * R_PARAM)
+            place = axle.pos + arm(theta, DIAL * R_PARAM) - vector(0, 0, R_PARAM / 100)
+            marks.append({"pos": place, "axis": arm(theta, MARK * R_PARAM)})
+            if abs(angle) in (30, 60):
+                place = axle.pos + arm(theta, 0.68 * R_PARAM)
+                numbers.append({"pos": place, "text": f"{abs(angle)}°"})
+        self.draw("dial", cylinder, marks, color=GREY, radius=R_PARAM / 300)
+        self.draw("degrees", label, numbers, **PALE)
 
-    def dial_labels(self) -> list[Label]:
-        """Return the numbers (degrees) on the dial."""
-        if not self.measures:
-            return []
-        labels = []
-        axles = self.cradle.axles()
-        for axle, side in ((axles[0], -1), (axles[-1], 1)):
-            for angle in (30, 60):
-                place = axle.pos + arm(side * radians(angle), 0.68 * R_PARAM)
-                labels.append(Label(place.x, place.y, f"{angle}°", "dial"))
-        return labels
+
+def pale(shade: vector) -> vector:
+    """Return the color of the ghost of what has this color."""
+    return GHOST * shade + (1 - GHOST) * color.white

@@ -7,7 +7,7 @@ from math import ceil, pi
 from vpython import box, color, cylinder, distant_light, scene, simple_sphere, textures, vector
 
 from support.cradle.dragging import FINGER
-from support.page.scene.marks import Label, TO_CAMERA
+from support.page.scene.marks import TO_CAMERA
 from support.pendulum import arm, discard, make_shape
 
 # Images in web/
@@ -66,10 +66,6 @@ class Scenery:
         """
         self.first, self.last = axles[0].pos, axles[-1].pos
         self.cords_length = cords_length
-        self.numbers = [
-            Label(axle.pos.x, axle.pos.y + axle.height, str(number), "number")._asdict()
-            for number, axle in enumerate(axles, start=1)
-        ]
         discard(self.frame)
         self.frame = make_frame(self.first, self.last, axles[0].width, cords_length)
         base = self.frame[-1]
@@ -80,8 +76,8 @@ class Scenery:
         self.ground.size = vector(FLAT, GROUND_LENGTH * base.length, GROUND_DEPTH * base.width)
         if len({*masses}) > 1:  # they will probably swing wide
             swing = max(swing, pi / 2)
-        self.highest = -cords_length  # m, above the axles: the view has space for bobs up to there
-        self.keep_in_view([self.last + arm(swing, cords_length)])
+        # m, above the axles: the view has space for bobs up to there
+        self.highest = arm(swing, cords_length).y
 
     def keep_in_view(self, places: Iterable[vector]) -> None:
         """Let the view have space for bobs at these places (m), also outside of the frame."""
@@ -89,9 +85,9 @@ class Scenery:
             self.highest = max(self.highest, place.y - self.first.y)
 
     def view(self) -> dict:
-        """Return what the camera of a tab must know, in metres, and the numbers of the axles.
+        """Return what the camera of a tab must know, in metres.
 
-        It shows all points: those of the frame, of the numbers, and of all swings.
+        It shows all points: those of the frame, of the axles' numbers, and of all swings.
         """
         base = self.frame[-1]
         low, high = base.pos - base.size / 2, base.pos + base.size / 2
@@ -110,7 +106,6 @@ class Scenery:
         return {
             "center": [base.pos.x, (lowest + top + above) / 2, 0.0],
             "points": points,
-            "numbers": self.numbers,
             "finger": FINGER,
         }
 

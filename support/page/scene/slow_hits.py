@@ -46,17 +46,18 @@ class SlowHits:
         self.last = -inf  # s: the time of its last hit
         self.is_left = False  # whether its hits do not wait any more
 
-    def add(self, hits: Sequence[Hit], time: float, fast_speed: float) -> None:
-        """Take the hits of the last few ticks that are not slower than fast_speed (m/s).
+    def add(self, hits: Sequence[Hit]) -> None:
+        """Take the fast ones of these hits of the last few ticks.
 
-        time (s) is the simulated time. It stands while a hit waits: so none waits now.
+        The time stands while a hit waits: so none waits now.
         """
+        time = self.motion.time()  # s
         pend_list = list(self.cradle.pend_list)
         for hit in reversed(hits):  # back to the velocities before them
             pend_list[hit.left], pend_list[hit.right] = hit.before
         for hit in hits:
             pend_list[hit.left], pend_list[hit.right] = hit.after
-            if hit.speed < fast_speed:
+            if hit.speed < self.motion.fast_speed:
                 continue
             if time - self.last > 2 * self.cradle.series_pause:
                 self.clear()
@@ -69,15 +70,11 @@ class SlowHits:
     @property
     def current(self) -> SlowHit | None:
         """The hit that is shown, and waits until you go on."""
-        return self.series[self.place] if self.waits() else None
-
-    def waits(self) -> bool:
-        """Return whether a hit is shown, and waits until you go on."""
-        return self.place < len(self.series)
+        return self.series[self.place] if self.place < len(self.series) else None
 
     def show_next(self) -> None:
         """Show the next hit; after the last one, none."""
-        if self.waits():
+        if self.current:
             self.place += 1
 
     def leave(self) -> None:
@@ -101,8 +98,7 @@ class SlowHits:
         """Return the call of a hit, and what it did to both bobs, as texts."""
         arguments = [self.argument_as_text(value) for value in hit.arguments]
         for name, value in hit.named.items():
-            text = self.argument_as_text(value) if self.cradle.shows(name) else "?"
-            arguments.append(f"{name}={text}")
+            arguments.append(f"{name}={self.argument_as_text(value)}")
         bobs = [*map(self.changes, (hit.left, hit.right), hit.before, hit.after)]
         call = f"{self.cradle.collide_name}({', '.join(arguments)})"
         return {"call": f"{self.count}. {call}", "bobs": bobs}
@@ -121,7 +117,7 @@ class SlowHits:
         texts[VELOCITY] = change(cradle.velocity(old), cradle.velocity(new), motion.digits)
         before, after, _ = motion.momenta([old, new])
         texts["momentum (kg m/s)"] = change(before, after, motion.momentum_digits)
-        return cradle.without_hidden(texts)
+        return texts
 
 
 def change(old: float, new: float, digits: int) -> str:

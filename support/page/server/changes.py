@@ -1,19 +1,19 @@
 """What has changed in VPython's drawing and in the state, for tabs that lack more or less of it.
 
 VPython keeps a list of its changes, and forgets them when they are sent. Here, each change has the
-number of the delivery in which it came last, and each message the number of the last delivery in
-it. What a tab lacks is all with a later number than that of its last message. So a new tab, a slow
-one, and one whose line was cut are one case: it gets the last value of each attribute, less often
-maybe, and loses nothing.
+number of the delivery in which it came last. What a tab lacks is all with a later number than that
+of its last message. So a new tab, a slow one, one whose line was cut, and a film are one case: each
+gets the last value of each attribute, less often maybe, and loses nothing.
 
-    a message   {"number": number, "cmds": [...], "attrs": [...], "state": {...}}
+    a message   {"drawing": {key: change, ...}, "state": {name: value, ...}}
 
-cmds and attrs are VPython's (package in vpython.py, decode in glowcomm.html):
+drawing has VPython's cmds and attrs (package in vpython.py, decode in glowcomm.html), each one by a
+key that says what it changes:
 
-    cmds    {"cmd": kind, "idx": number, ...}   makes the object with this number
-            {"idx": number, name: value}        sets an attribute of the canvas
-    attrs   "a12Jvalue", "b12ovalue"            sets the attribute J or o of object 12
-            "m12Gvalue"                         calls the method G of object 12: clear_trail, ...
+    "12 cmd"    {"cmd": kind, "idx": 12, ...}   makes object 12
+    "0 fov"     {"idx": 0, "fov": value}        sets an attribute of the canvas
+    "a12J"      "a12Jvalue"                     sets the attribute J of object 12
+    "m12Gvalue" "m12Gvalue"                     calls the method G of object 12: clear_trail, ...
 
 state has what the page shows outside the canvas, by name (names.py): only what has changed.
 """
@@ -23,6 +23,8 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+# As json has it: not in JSON
+NOT_FINITE = re.compile(r"(?<=[\[:,])(?:NaN|-?Infinity)(?=[\]},])")
 Changed = dict[Any, tuple[int, Any]]  # the number of the delivery and the change, by its key
 
 
@@ -67,22 +69,23 @@ class Changes:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
         return {"drawing": drawing, "state": later(self.state, has)}
 
-    def message(self, has: int) -> bytes:
+    def message(self, has: int) -> str:
         """Return all that is later than the delivery with the number `has` as one message."""
-        found = self.later(has)
-        drawing = found["drawing"].values()
-        message = {
-            "number": self.number,
-            "cmds": [change for change in drawing if isinstance(change, dict)],
-            "attrs": [change for change in drawing if isinstance(change, str)],
-            "state": found["state"],
-        }
-        return as_json(message).encode()
+        return as_json(self.later(has))
 
 
 def as_json(found: object) -> str:
-    """Return this as JSON; a student's number can be numpy's."""
-    return json.dumps(found, separators=(",", ":"), default=float)
+    """Return this as JSON; a student's number can be of any kind, and null if it is not finite."""
+    text = json.dumps(found, separators=(",", ":"), default=as_number)
+    return NOT_FINITE.sub("null", text) if "NaN" in text or "Infinity" in text else text
+
+
+def as_number(value: object) -> float | str:
+    """Return the number that this value is, or else its text."""
+    try:
+        return float(value)  # type: ignore[arg-type]
+    except (TypeError, ValueError, OverflowError):
+        return str(value)
 
 
 def attribute_in(text: str) -> str:

@@ -1,4 +1,4 @@
-"""The film of the present run: the pictures that tabs were given, to be saved as a file.
+"""The film of the present run: its pictures, to be saved as a file, also without a tab.
 
 A picture has what has changed since the picture before it, the first one has all.
 """
@@ -7,7 +7,7 @@ import time
 from collections import deque
 from collections.abc import Callable
 from math import inf
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from support.page.server.changes import Changes
 
@@ -40,10 +40,15 @@ class Film:
         self.time = 0.0  # s of the film, up to this picture
 
     def take(self, changes: Changes, at_once: bool = False) -> None:
-        """Take a picture if it is due, or at once, of what is later than the last one."""
+        """Take a picture of what is later than the last one, if it is due, or at once.
+
+        It is due at once if the question has changed: a saved run stops where it asks.
+        """
         now = self.clock()
         gap = now - self.last_look
-        if self.has == changes.number or not (at_once or gap >= PICTURE):
+        asked, _ = changes.state.get("question", (0, None))
+        is_due = at_once or gap >= PICTURE or asked > self.has
+        if self.has == changes.number or not is_due:
             return
         if self.pictures:
             self.time += min(gap, LONGEST_PAUSE)
@@ -57,10 +62,6 @@ class Film:
         """Begin with the second picture: it then has all."""
         first = self.pictures.popleft().changes
         second = self.pictures[0].changes
-        for part in second:
-            second[part] = {**without(first[part], second[part]), **second[part]}
-
-
-def without(old: dict[Any, Any], new: dict[Any, Any]) -> dict[Any, Any]:
-    """Return the old changes that no new one replaces."""
-    return {key: change for key, change in old.items() if key not in new}
+        for part, new in second.items():
+            old = {key: change for key, change in first[part].items() if key not in new}
+            second[part] = old | new

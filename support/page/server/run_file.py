@@ -1,13 +1,11 @@
-"""A run as one HTML file: the page, VPython's scripts, textures, and the pictures of the film.
+"""A run as one HTML file: the page with its scripts, its textures, and the pictures of the film.
 
-Any browser opens it, without Python and without a network; run.js plays it. What the page has only
-with a program behind it has the attribute data-served in page.html, and is not in the file, or not
-shown.
+Any browser opens it, without Python and without a network; run.js plays it. What needs a program
+has the attribute data-served in page.html, and is not shown.
 """
 
 import base64
 import gzip
-import json
 import re
 from collections.abc import Sequence
 from importlib.metadata import files
@@ -17,66 +15,40 @@ from typing import Any
 from support.files.experiments import YOUR_CSV
 from support.page.server.changes import as_json
 from support.page.server.film import FilmPicture
-from support.page.server.web_files import (
-    content_of,
-    keyless_files,
-    LIVE,
-    module_names,
-    page_with_modules,
-)
+from support.page.server.web_files import filled_page, keyless_files, script, SCRIPTS
 
-# Of the state; the rest is for controls, or names files of this machine.
+# Of the state; the rest is for controls, and for the words of a program.
 STATE_OF_RUN = (
-    "title", "question", "unknown", "hits", "motion", "bars", "curves", "view", "summary", "ended",
+    "title", "stopped", "summary",
+    "question", "unknown", "hits", "motion", "bars", "curves", "view",
 )  # fmt: skip
 CURVES = 0.4  # s from one state of the graph to the next: it is most of the film
-LONG_NUMBER = re.compile(r"-?\d+\.\d{5,}(?:e-?\d+)?")
+# A number that is more exact than can be seen; no text for a reader has one after such a sign.
+LONG_NUMBER = re.compile(r"(?<=[,:[A-Za-z])-?\d+\.\d{5,}(?:e-?\d+)?")
 TEXTURE = re.compile(r'":(\w+\.jpg)"')  # a texture's name, as VPython has it
-QUOTED_PATH = re.compile(r"'[^']*[/\\]([^'/\\]+)'")  # in a message of Python's
 
 
 def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
     """Return a run as an HTML file, from the pictures of its film."""
-    run = json.dumps(pictures_for_player(pictures), separators=(",", ":"))
+    run = as_json(pictures_for_player(pictures))
+    run = LONG_NUMBER.sub(lambda number: f"{float(number[0]):.5g}", run)
     web = keyless_files()
-
-    def text_of(name: str) -> str:
-        return content_of(web[name]).decode()
-
-    textures = {}
-    for name in set(TEXTURE.findall(run)):
-        textures[name] = in_letters(content_of(web[name]))
-    player = [
-        script(' type="application/json" class="textures"', json.dumps(textures)),
-        script(' type="text/plain" class="run"', in_letters(gzip.compress(run.encode(), mtime=0))),
-        script(' type="module"', 'import "run";'),
+    textures = {name: in_letters(web[name]) for name in {*TEXTURE.findall(run)}}
+    head = [
+        f"<!--\n{licence()}\n-->",
+        script("document.documentElement.className = 'recorded';"),
+        f"<style>{web['style.css'].decode()}</style>",
+    ]
+    scripts = [
+        *(script(web[name].decode()) for name in SCRIPTS),
+        script(as_json(textures), ' type="application/json" class="textures"'),
+        script(in_letters(gzip.compress(run.encode(), mtime=0)), ' type="text/plain" class="run"'),
     ]
 
-    modules = {}
-    for name in module_names():
-        modules[name] = f"data:text/javascript;base64,{in_letters(content_of(web[f'{name}.js']))}"
-    html = page_with_modules(modules)
-    html = html.replace("<!doctype html>", f"<!doctype html>\n<!--\n{licence()}\n-->", 1)
-    html = html.replace('<html lang="en">', '<html lang="en" class="recorded">', 1)
-    html = html.replace(LIVE, "\n".join(player), 1)
-    html = re.sub(r"(?s)<script[^>]* data-served>.*?</script>\n", "", html)
-    html = re.sub(
-        r'<link rel="stylesheet" href="(.*?)">',
-        lambda found: f"<style>\n{text_of(found[1])}</style>",
-        html,
-    )
-    html = re.sub(
-        r'<script src="(.*?)"></script>',
-        lambda found: script("", text_of(found[1])),
-        html,
-    )
-    return html.encode()
+    def address(name: str) -> str:
+        return f"data:text/javascript;base64,{in_letters(web[f'{name}.js'])}"
 
-
-def script(attributes: str, text: str) -> str:
-    """Return a script with its text inside."""
-    safe = text.replace("</script", "<\\/script")
-    return f"<script{attributes}>{safe}</script>"
+    return filled_page("\n".join(head), scripts, "run", address).encode()
 
 
 def in_letters(content: bytes) -> str:
@@ -84,42 +56,26 @@ def in_letters(content: bytes) -> str:
 
 
 def pictures_for_player(pictures: Sequence[FilmPicture]) -> list[dict[str, Any]]:
-    """Return pictures as run.js has them: with times (s), and numbers as exact as can be seen."""
+    """Return pictures as run.js has them, with times (s) and the state of a run."""
     last_curves = -inf  # s
-    for_player = []
+    for_player: list[dict[str, Any]] = []
     for time, changes in pictures:
-        picture = json.loads(as_json(changes), parse_float=rounded)
-        state = {name: value for name, value in picture["state"].items() if name in STATE_OF_RUN}
-        if time - last_curves >= CURVES:
+        state = {name: value for name, value in changes["state"].items() if name in STATE_OF_RUN}
+        # A new run begins with a new graph
+        if "question" in state or time - last_curves >= CURVES:
             last_curves = time
         else:
             state.pop("curves", None)
-        if "title" in state:
-            name = picture["state"]["controls"]["experiment"]["value"]
-            if name != YOUR_CSV:
-                state["title"] += f": {name}"
-        if state.get("ended"):
-            state["ended"] = QUOTED_PATH.sub(r"'\1'", state["ended"])
-        drawing = {key: shortened(change) for key, change in picture["drawing"].items()}
+        drawing = changes["drawing"]
         for_player.append({"time": time - pictures[0].time, "drawing": drawing, "state": state})
+    for_player[0]["state"].setdefault("stopped", "")  # or it would stay when the film goes back
+    controls = pictures[0].changes["state"].get("controls")  # none if a program fails at once
+    if controls and controls["experiment"]["value"] != YOUR_CSV:
+        for_player[0]["state"]["title"] += f": {controls['experiment']['value']}"
     return for_player
-
-
-def shortened(change: Any) -> Any:
-    """Return a change of the drawing with shorter numbers in its text."""
-    if isinstance(change, dict):
-        return change
-    return LONG_NUMBER.sub(lambda number: str(rounded(number[0])), change)
-
-
-def rounded(number: str) -> float:
-    return float(f"{float(number):.5g}")
 
 
 def licence() -> str:
     """Return VPython's licence, which says that it stays with each copy."""
-    texts = []
-    for file in files("vpython") or []:
-        if file.name.startswith("LICENSE"):
-            texts.append(file.read_text(encoding="utf-8"))
-    return "\n".join(texts)
+    found = [file for file in files("vpython") or [] if file.name.startswith("LICENSE")]
+    return "\n".join(file.read_text(encoding="utf-8") for file in found)

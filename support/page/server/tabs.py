@@ -1,62 +1,65 @@
-"""The tabs that show the cradle: how much is under way to each one, and the commands they give.
+"""The tabs that show the cradle: what each one lacks, and the commands they give.
 
-to a tab    messages of changes.py
-from a tab  "seen" for each picture that it has drawn after a message, or [command, value, ...]
+to a tab    messages of changes.py, and "" as a sign of life
+from a tab  ["seen", count of messages shown], [command, value, ...], and "" as a sign of life
 """
 
 import json
-from collections import deque
+import re
 from collections.abc import Callable, Mapping
 from queue import SimpleQueue
-from threading import Event
+from threading import Event, Lock
 from typing import Any
 
 from support.page.server.changes import Changes
 from support.page.server.film import Film, FilmPicture
 from support.page.vpython_inside import take_changes
 
-# What can be under way to a tab: a far one needs several messages, a slow line not too many bytes.
-MOST_MESSAGES = 24  # messages
-MOST_BYTES = 2**18  # bytes
+ROOM = 12  # messages that can be under way to a tab: a far one needs several
 NEW = object()  # unlike each value
+# The folders of this machine before the name of a file, in quotes or not
+FOLDERS = re.compile(
+    r"(?<=')(?:[A-Za-z]:)?[/\\][^'\n]*[/\\]|(?<![\w.:/\\])(?:[A-Za-z]:)?[/\\](?:[^\s'\"/\\]+[/\\]+)+"
+)
 
 
 class Tab:
-    """What one tab has got, and how much is under way to it."""
+    """What one tab has got, and whether it only follows: then it gives no commands."""
 
-    def __init__(self, send: Callable[[bytes], None], has: int):
-        """Begin with all up to the delivery with the number `has`; send sends a message."""
+    def __init__(
+        self,
+        send: Callable[[str], None],
+        close: Callable[[], None] = lambda: None,
+        follows: bool = False,
+        speaks: Callable[[], bool] = lambda: False,
+    ):
+        """Begin with nothing; send sends a message, close ends the line.
+
+        speaks() returns whether the tab has said what is not yet read. This may be that its browser
+        closes it: first this is read, as a message that fails would end the line.
+        """
         self.send = send
-        self.has = has
-        self.under_way: deque[int] = deque()  # the sizes of messages (bytes), the oldest one first
-        self.has_room = True  # for one message more
+        self.close = close
+        self.follows = follows
+        self.speaks = speaks
+        self.has = 0  # the number of the last delivery that it has got
+        self.room = ROOM  # for so many messages more
 
     def update(self, changes: Changes, at_once: bool = False) -> None:
         """Send all that the tab lacks as soon as there is room, or at once."""
         lacks_something = self.has < changes.number
-        if lacks_something and (self.has_room or at_once):
-            message = changes.message(self.has)
+        has_time = self.room > 0 and not self.speaks()
+        if lacks_something and (has_time or at_once):
+            self.send(changes.message(self.has))
             self.has = changes.number
-            self.under_way.append(len(message))
-            self.send(message)
-            self.measure()
-
-    def count_drawn(self, count: int) -> None:
-        """Count pictures that the tab has drawn: as many messages have arrived, the oldest ones."""
-        for _ in range(min(count, len(self.under_way))):
-            self.under_way.popleft()
-        self.measure()
-
-    def measure(self) -> None:
-        """Find out whether there is room."""
-        self.has_room = len(self.under_way) < MOST_MESSAGES and sum(self.under_way) < MOST_BYTES
+            self.room -= 1
 
 
 class Tabs:
     """All tabs.
 
-    The program calls have_room, show, tell and begin_run, takes the commands, and looks at is_seen
-    and are_gone; the server calls the other methods, in its own thread.
+    The program calls have_room, show, tell and begin_run, from its threads. It takes the commands,
+    and looks at is_seen and are_gone. The server calls the other methods, in its own thread.
     """
 
     def __init__(self, in_server: Callable[..., Any], film: Film | None = None) -> None:
@@ -64,38 +67,44 @@ class Tabs:
         self.in_server = in_server
         self.film = film or Film()  # of the present run
         self.all = Changes()  # VPython never sends a change again
-        self.tabs: dict[Any, Tab] = {}  # by the websocket
+        self.tabs: set[Tab] = set()
         self.last: dict[str, Any] = {}  # the state that the tabs have, or will have
+        self.lock = Lock()  # two threads tell
         self.commands: SimpleQueue[list] = SimpleQueue()  # [command, value, ...]
-        self.holder: Any = None  # the tab with the mouse down
+        self.holder: Tab | None = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
-        self.are_gone = False  # whether the last tab was closed for good
+        self.are_gone = False  # whether no tab will come any more
 
     def have_room(self) -> bool:
         """Return whether a tab can take a message now; else, changes had better wait, and merge."""
-        return any(tab.has_room for tab in [*self.tabs.values()])
+        return any(tab.room > 0 for tab in [*self.tabs])
 
     def show(self, state: Mapping[str, Any]) -> None:
         """Send what VPython's objects have changed, and what differs in the state.
 
         The state can be a part of it, or all.
         """
-        new = self.changes(state)
-        drawing = take_changes()
-        if new or drawing:
-            self.in_server(self.deliver, new, drawing)
+        self.send(state, take_changes())
 
     def tell(self, state: Mapping[str, Any]) -> None:
         """Send what differs in these values, from any thread; the picture stays as it is."""
-        new = self.changes(state)
-        if new:
-            self.in_server(self.deliver, new, {})
+        self.send(state, {})
 
-    def changes(self, state: Mapping[str, Any]) -> dict[str, Any]:
-        """Return which of these values differ from the last ones; they are the last ones now."""
-        new = {name: value for name, value in state.items() if self.last.get(name, NEW) != value}
-        self.last.update(new)
-        return new
+    def send(self, state: Mapping[str, Any], drawing: Mapping[str, list]) -> None:
+        """Send a drawing, and what differs in the state: texts without folders of this machine."""
+        with self.lock:
+            last = self.last
+            new = {name: value for name, value in state.items() if last.get(name, NEW) != value}
+            last.update(new)
+            if new or drawing:
+                told = {name: without_folders(value) for name, value in new.items()}
+                self.in_server(self.deliver, told, drawing)
+
+    def begin_run(self) -> None:
+        """Begin a film with what is shown next, a new run."""
+        self.in_server(self.film.begin)
+
+    # --- in the server's thread ----------------------------------------------------------------
 
     def deliver(self, state: Mapping[str, Any], drawing: Mapping[str, list]) -> None:
         """Give changes to all tabs, also to those that come later.
@@ -103,47 +112,54 @@ class Tabs:
         If they say that the program has ended, give them at once.
         """
         self.all.add(state, **drawing)
-        has_ended = state.get("ended") is not None
-        for tab in [*self.tabs.values()]:
+        has_ended = "ended" in state
+        for tab in self.tabs:
             tab.update(self.all, at_once=has_ended)
-        self.film.take(self.all, at_once=has_ended)
+        self.film.take(self.all)
 
     def pictures(self) -> list[FilmPicture]:
         """Return the film of the present run, up to now."""
         self.film.take(self.all, at_once=True)
         return [*self.film.pictures]
 
-    def begin_run(self) -> None:
-        """Begin a film with what is shown next, a new run."""
-        self.in_server(self.film.begin)
+    def open(self, tab: Tab) -> None:
+        """Let a tab have all that is shown, now and later."""
+        self.tabs.add(tab)
+        tab.update(self.all)
 
-    def open(self, socket: Any, send: Callable[[bytes], None], has: int = 0) -> None:
-        """Let a tab have all that is later than the delivery with the number `has`.
-
-        send sends a message to it.
-        """
-        self.tabs[socket] = Tab(send, has)
-        self.tabs[socket].update(self.all)
-
-    def close(self, socket: Any) -> None:
+    def close(self, tab: Tab) -> None:
         """Forget a tab; a bob that it held swings on."""
-        self.receive(socket, b'["let_go"]')
-        del self.tabs[socket]
+        self.receive(tab, '["let_go"]')
+        self.tabs.discard(tab)
 
-    def receive(self, socket: Any, data: bytes) -> None:
-        """Take a message of a tab; forget one that is no command."""
-        if data.startswith(b"seen"):
-            self.is_seen.set()
-            self.tabs[socket].count_drawn(data.count(b"seen"))
-            self.tabs[socket].update(self.all)
-            return
+    def receive(self, tab: Tab, message: str | bytes) -> None:
+        """Take a message of a tab; forget one that is no command, or of a tab that follows."""
         try:
-            command, *values = json.loads(data)
-        except (ValueError, TypeError):
+            command, *values = json.loads(message)
+            seen = int(values[0]) if command == "seen" else 0
+        except (ValueError, TypeError, IndexError, OverflowError, RecursionError):
+            return
+        if seen:
+            self.is_seen.set()
+            tab.room = min(tab.room + seen, ROOM)
+            tab.update(self.all)
+            return
+        if tab.follows:
             return
         if command in ("grab", "drag", "let_go"):
             is_free = self.holder is None and command == "grab"
-            if self.holder is not socket and not is_free:
+            if self.holder is not tab and not is_free:
                 return  # one tab alone has the mouse down
-            self.holder = None if command == "let_go" else socket
+            self.holder = None if command == "let_go" else tab
         self.commands.put([command, *values])
+
+
+def without_folders(value: Any) -> Any:
+    """Return a text with the names of its files alone, and all else as it is."""
+    if isinstance(value, str):
+        return FOLDERS.sub("", value)
+    if isinstance(value, dict):
+        return {name: without_folders(part) for name, part in value.items()}
+    if isinstance(value, list) and value and isinstance(value[0], str):
+        return [without_folders(part) for part in value]
+    return value

@@ -1,27 +1,30 @@
-"""The files of the page: its own, and those of VPython that it uses."""
+"""The page and its files: its own, and those of VPython that it uses.
+
+page.html has two holes, for a head and for scripts. The server's page asks for both, by links; a
+saved run has them in itself (run_file.py).
+"""
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Sequence
 from html import escape
 from pathlib import Path
 
-from support.page.names import names_as_module, Texts
+from support.page.names import Texts
 from support.page.vpython_inside import files_for_a_browser
 
 WEB = Path(__file__).parents[1] / "web"
 PAGE = WEB / "page.html"
-# In page.html
-NO_MAP = '<script type="importmap"></script>'
-LIVE = '<script type="module" src="line.js" data-served></script>'
+LIVE_HEAD = WEB / "live.html"
+# VPython's; the last one is the script of its own page, without its websocket.
+SCRIPTS = "jquery.min.js", "glow.min.js", "vpython.js"
 
 
-def keyless_files() -> dict[str, bytes | Path]:
-    """Return the files that need no key, by name: the content or the path."""
+def keyless_files() -> dict[str, bytes]:
+    """Return the content of the files that need no key, by their names."""
     files = files_for_a_browser()
     for path in WEB.iterdir():
         if path.suffix in (".js", ".css", ".jpg"):
-            files[path.name] = path
-    files["names.js"] = names_as_module().encode()
+            files[path.name] = path.read_bytes()
     return files
 
 
@@ -30,28 +33,34 @@ def page_with(texts: Texts) -> bytes:
 
     So the page has them also if it never hears from the program.
     """
-    addresses = {name: f"./{name}.js" for name in module_names()}
-    page = page_with_modules(addresses)
-    # All at once: else, a module comes only when another one asks for it.
-    links = [f'<link rel="modulepreload" href="{address}">' for address in addresses.values()]
-    page = page.replace(LIVE, "\n".join([*links, LIVE]))
+    head = LIVE_HEAD.read_text(encoding="utf-8")
+    scripts = [f'<script src="{name}"></script>' for name in SCRIPTS]
+    page = filled_page(head, scripts, "line", "./{}.js".format)
     for name, text in texts.items():
         place = f'data-text="{name}">'
         page = page.replace(place, place + escape(str(text)))
     return page.encode()
 
 
-def module_names() -> list[str]:
-    """Return the bare names by which the modules import each other."""
-    return ["names", *(path.stem for path in WEB.glob("*.js"))]
+def filled_page(
+    head: str, scripts: Sequence[str], source: str, address: Callable[[str], str]
+) -> str:
+    """Return the page with a head and with scripts.
 
-
-def page_with_modules(addresses: Mapping[str, str]) -> str:
-    """Return the page with the addresses of its modules, by their bare names."""
+    Its modules import each other by their bare names; address(name) says where one is. They run
+    after the scripts. The module that brings the state comes last: "line" or "run".
+    """
+    others = {path.stem for path in WEB.glob("*.js")} - {"line", "run"}
+    names = [*sorted(others), source]
+    addresses = json.dumps({"imports": {name: address(name) for name in names}})
+    imports = "".join(f'import "{name}";' for name in names)
+    modules = [script(addresses, ' type="importmap"'), script(imports, ' type="module"')]
     page = PAGE.read_text(encoding="utf-8")
-    return page.replace(NO_MAP, NO_MAP.replace("><", f">{json.dumps({'imports': addresses})}<"))
+    page = page.replace("<!-- head -->", "\n".join([head, *modules]))
+    return page.replace("<!-- scripts -->", "\n".join(scripts))
 
 
-def content_of(file: bytes | Path) -> bytes:
-    """Return the content of one of these files."""
-    return file.read_bytes() if isinstance(file, Path) else file
+def script(text: str, attributes: str = "") -> str:
+    """Return a script with its text inside."""
+    safe = text.replace("</script", "<\\/script")
+    return f"<script{attributes}>{safe}</script>"

@@ -1,23 +1,24 @@
 // VPython's canvas in this tab: its size, its color, its name, and the loss of the graphics driver.
 // It has a camera (camera.js), and it can be touched (mouse.js).
-import { fit, follow, limit, look } from "camera";
+import { fit, follow, limit, resetView } from "camera";
 import { canDraw, canvasElement, clearBackground, draw, scene } from "glow";
-import { showGhosts } from "ghosts";
 import { castShadows, endPicture } from "light";
+import { fitMarks } from "marks";
 import { listen } from "mouse";
 import { notice, one, show, state, update } from "page";
+import { inWords } from "readout";
 
 let hasBegun = false;
 
 if (!canDraw) notice("no-webgl");
 
 // Show what a message changes: in VPython's drawing, and in the state.
-export function showPicture({ state: changes, ...drawing }) {
+export function showPicture({ drawing, state: changes }) {
   if (canDraw) draw(drawing);
   Object.assign(state, changes);
   for (const name in changes) update(/** @type {any} */ (name));
   if (!hasBegun) return;
-  showGhosts();
+  fitMarks();
   castShadows();
 }
 
@@ -30,7 +31,7 @@ show("view", view => { // the first one comes with the canvas
 function begin() {
   hasBegun = true;
   const element = canvasElement();
-  look();
+  resetView();
   listen();
   // The first picture waits for the bobs and their textures: one without them would only delay it.
   Object.assign(scene(), { waitfor_textures: true, userpan: false });
@@ -48,6 +49,7 @@ function begin() {
 function watch() {
   resize();
   limit();
+  fitMarks();
   requestAnimationFrame(watch);
 }
 
@@ -63,7 +65,7 @@ function resize() { // the canvas fills its part of the window, in the pixels of
 
 // The canvas, in words; at most once a second, or a screen reader would never end.
 function describe() {
-  one(".canvas").ariaLabel = `${document.title}: ${state.summary}`;
+  one(".canvas").ariaLabel = `${document.title}: ${inWords()}`;
 }
 
 // The driver was restarted, or the machine slept: all that the graphics card had is gone.

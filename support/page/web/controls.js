@@ -2,9 +2,6 @@
 import { find, make, show, update } from "page";
 import { send, set, sliders } from "program";
 
-// The program may still say an older value of a slider that you have left.
-const showLater = () => setTimeout(update, 600, "controls");
-
 const makers = {
   Switch({ name, label }) {
     const box = make("input", { type: "checkbox", name });
@@ -13,7 +10,7 @@ const makers = {
   Slider({ name, label, step }) {
     return make("div", { className: "slider" },
       make("label", { htmlFor: name }, label),
-      make("input", { type: "range", id: name, name, step, onblur: showLater }),
+      make("input", { type: "range", id: name, name, step, onblur: () => update("controls") }),
       make("output", { htmlFor: name }),
     );
   },
@@ -68,6 +65,6 @@ addEventListener("change", ({ target }) => {
   set(target.name, target.type === "checkbox" ? target.checked : target.value);
 });
 
-for (const fold of find("details")) fold.addEventListener("toggle", () => {
+for (const fold of find("details")) fold.ontoggle = () => {
   if (fold.open) fold.scrollIntoView({ block: "nearest" });
-});
+};

@@ -1,6 +1,6 @@
 // VPython in this page: all that the page uses of it is here, under names of its own.
 // VPython's scripts are classic ones, with globals: jquery.min.js; glow.min.js, which has flot for
-// the graph; and vpython.js, a part of VPython's own page (web_files.py). They run before each
+// the graph; and vpython.js, a part of VPython's own page (vpython_inside.py). They run before each
 // module, and take what is set here when the program makes the canvas.
 const vpython = /** @type {any} */ (window);
 const { $, decode, handler } = vpython;
@@ -12,7 +12,7 @@ vpython.Jupyter_VPython = "";
 // It is jQuery UI's, and glow.min.js calls it; the canvas here follows the window.
 $.fn.resizable = () => {};
 
-export const { vec, label, textures, glowObjs: objects } = vpython;
+export const { vec, textures, glowObjs: objects } = vpython;
 export const canDraw = !!document.createElement("canvas").getContext("webgl2");
 
 // Firefox's driver may remove an attribute that a shader does not use (opacity). VPython then
@@ -28,19 +28,49 @@ for (const name of ["enableVertexAttribArray", "vertexAttribPointer"]) {
 
 export const scene = () => objects[0];
 export const kindOf = object => object?.constructor.name; // "sphere", "arrow", ...
-export const isShape = object => object?.pickable !== undefined; // else a canvas, or a light
+// Else a canvas, or a light
+export const isShape = object => object?.pickable !== undefined || kindOf(object) === "label";
 // No ghosts: these cannot be picked.
 export const bobs = () => objects.filter(o => kindOf(o) === "sphere" && o.visible && o.pickable);
-export const coordinates = ({ x, y, z }) => [x, y, z];
 
-// Do what the program says to its objects; decode and handler are those of VPython's own page.
-export const draw = drawing => handler(decode(drawing));
+// Make and change objects as a message says, or a picture of a film (changes.py); decode and handler
+// are those of VPython's own page.
+export function draw(drawing) {
+  const attrs = [];
+  const cmds = [];
+  for (const [key, change] of Object.entries(drawing)) {
+    if (typeof change === "string") attrs.push(change);
+    else cmds.push(...asCmds(key, change));
+  }
+  handler(decode({ attrs, cmds }));
+}
+
+const FIXED = ["canvas", "texture"]; // of a shape: they never change
+const canvasHas = {}; // the last values of its attributes: to set its lights again would remove them
+
+// An object that is there already gets the values with which it was made: after a cut, or when a film
+// goes back.
+function asCmds(key, { cmd, idx, ...values }) {
+  const object = objects[idx];
+  if (cmd && !object) return [{ cmd, idx, ...values }]; // VPython's handler changes what it gets
+  if (cmd && !isShape(object)) return [];
+  if (cmd) {
+    const names = Object.keys(values).filter(name => !FIXED.includes(name));
+    return [{ idx, visible: true }, ...names.map(name => ({ idx, [name]: values[name] }))];
+  }
+  const text = JSON.stringify(values);
+  if (idx === 0 && canvasHas[key] === text) return [];
+  canvasHas[key] = text;
+  return [{ idx, ...values }];
+}
+
+// What was made later must not be seen in a film that goes back.
+export function hideAll() {
+  for (const shape of objects.filter(isShape)) shape.visible = false;
+}
 
 // Draw a graph (flot).
 export const plot = (...how) => $.plot(...how);
-
-// Return the parts of a CSS color, from 0 to 255 (flot, too).
-export const rgb = color => $.color.parse(color);
 
 export const canvasElement = () => scene().__canvas_element;
 
@@ -82,9 +112,7 @@ export function mouseAt({ pageX, pageY }) {
   return mouse;
 }
 
-// Let VPython take its textures from what this function makes, in place of images.
+// Let VPython take its textures from what this function returns, in place of images.
 export function takeImagesFrom(make) {
-  vpython.Image = function () {
-    return make();
-  };
+  vpython.Image = make;
 }

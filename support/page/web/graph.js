@@ -1,7 +1,6 @@
 // The graph of the state's curves, by flot, which VPython has.
-import { legible } from "colors";
 import { plot } from "glow";
-import { css, one, show, state } from "page";
+import { one, show, state } from "page";
 
 const ENTRY = 44; // pixels: the width of a number in the legend
 
@@ -15,7 +14,7 @@ function drawGraph() {
   one(".axes").textContent = axes;
   const drawn = curves.map(([label, x, y, color]) => ({
     label,
-    color: legible(color),
+    color,
     data: columns[x].map((number, i) => [number, columns[y][i]]),
   }));
   plot(place, drawn, {
@@ -27,6 +26,6 @@ function drawGraph() {
       noColumns: curves.length,
       backgroundOpacity: 0,
     },
-    grid: { color: css("--line"), borderWidth: 1, offsets: new DOMRect() }, // they are 0
+    grid: { color: getComputedStyle(place).color, borderWidth: 1, offsets: new DOMRect() }, // they are 0
   });
 }

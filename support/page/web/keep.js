@@ -20,6 +20,6 @@ one("#ghosts").onchange = ({ target }) => {
   const [file] = target.files;
   const reader = new FileReader();
   reader.onload = () => send("load_ghosts", file.name, reader.result);
-  reader.readAsDataURL(file.slice(0, 1e7 + 1));
+  reader.readAsDataURL(file.slice(0, 6e6 + 1));
   target.value = ""; // so that you can choose the same file again
 };

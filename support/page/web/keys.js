@@ -10,12 +10,12 @@ const keys = {
   " ": ["pause, run", () => send("pause")],
   ArrowRight: ["one step, or the next hit", () => send("step")],
   r: ["restart", () => send("restart")],
-  v: ["reset the view", () => resetView()],
-  f: ["present, and end it", () => present()],
+  v: ["reset the view", resetView],
+  f: ["present, and end it", present],
   n: ["next experiment", () => send("next")],
   p: ["previous experiment", () => send("previous")],
   h: ["slow hits", () => set("slow_hits", !state.controls?.slow_hits.value)],
-  t: ["tell a screen reader what you would see", () => tell()],
+  t: ["tell a screen reader what you would see", tell],
   "?": ["this list", () => one("#keys").togglePopover()],
 };
 const NAMES = { " ": "Space", ArrowRight: "→" };

@@ -1,11 +1,11 @@
 // The mouse and fingers on the canvas: they drag a bob, or turn the camera.
-import { bobs, coordinates, mouseAt, scene, useDisplaysPixels } from "glow";
+import { bobs, mouseAt, scene, useDisplaysPixels } from "glow";
 import { state } from "page";
 import { send } from "program";
 
 export function listen() {
   useDisplaysPixels();
-  const ray = ({ pos }) => [pos, scene().mouse.ray].map(coordinates);
+  const ray = ({ pos }) => [pos, scene().mouse.ray].map(({ x, y, z }) => [x, y, z]);
   scene().bind("mousedown", event => send("grab", ...ray(event)));
   scene().bind("mousemove", event => send("drag", ...ray(event)));
 }
@@ -13,6 +13,7 @@ export function listen() {
 const isCanvas = target => target.matches?.(".canvas canvas"); // a document has no matches
 
 function isOnBob(event) { // as bob_at in dragging.py finds it
+  if (document.documentElement.matches(".recorded, .following")) return false; // nobody drags there
   const { pos, ray } = mouseAt(event);
   const distance = bob => bob.pos.sub(pos).cross(ray).mag;
   return bobs().some(bob => distance(bob) < state.view.finger * bob.radius);

@@ -1,18 +1,16 @@
 // The page: its elements, and the state that the program sends, with what shows it.
-import { VALUES } from "names";
 
-/** @typedef {typeof VALUES[number]} Value */
+/** @typedef {typeof import("names").VALUES[number]} Value */
 
 /** @type {{ [name in Value]?: any }} */
 export const state = {};
-/** What shows each value. @type {Map<Value, ((value: any) => void)[]>} */
-const shows = new Map(VALUES.map(name => [name, []]));
+/** What shows each value. @type {{ [name in Value]?: ((value: any) => void)[] }} */
+const shows = {};
 
 /** @type {(selector: string) => any[]} */
 export const find = selector => [...document.querySelectorAll(selector)];
 /** @type {(selector: string) => any} */
 export const one = selector => document.querySelector(selector);
-export const css = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 /**
  * Make an element; texts in parts are never HTML.
@@ -26,8 +24,7 @@ export function make(kind, attributes = {}, ...parts) {
   return element;
 }
 
-// Keep this in history.state, for this page after a reload, or when Back shows it again.
-export const remember = part => history.replaceState({ ...history.state, ...part }, "");
+export const paragraph = (...parts) => make("p", {}, ...parts);
 
 /**
  * Let a function show a value, now and then: it gets the value when this has changed.
@@ -35,14 +32,13 @@ export const remember = part => history.replaceState({ ...history.state, ...part
  * @param {(value: any) => void} how
  */
 export function show(name, how) {
-  const others = shows.get(name);
-  if (!others) throw new Error(`There is no value ${name}.`);
-  others.push(how);
+  shows[name] ??= [];
+  shows[name].push(how);
 }
 
 /** @param {Value} name */
 export function update(name) {
-  for (const how of shows.get(name) ?? []) {
+  for (const how of shows[name] ?? []) {
     try {
       how(state[name]);
     } catch (error) { // the other parts still show theirs

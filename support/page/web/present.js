@@ -15,5 +15,5 @@ function setPresenting(isOn) {
   one(".present").ariaPressed = `${isOn}`;
 }
 
-one(".present").addEventListener("click", present);
+one(".present").onclick = present;
 addEventListener("fullscreenchange", () => setPresenting(!!document.fullscreenElement));

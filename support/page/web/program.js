@@ -1,7 +1,6 @@
-// What the page asks of the program. The first script of the page says how: line.js or run.js.
-import { COMMANDS } from "names";
+// What the page asks of the program. The last script of the page says how: line.js or run.js.
 
-/** @typedef {typeof COMMANDS[number]} Command */
+/** @typedef {typeof import("names").COMMANDS[number]} Command */
 
 /** Gives a command to the program. @type {(command: any[]) => any} */
 let line;
@@ -16,7 +15,6 @@ export function setLine(newLine) {
 
 /** @param {Command} command */
 export function send(command, ...values) {
-  if (!COMMANDS.includes(command)) throw new Error(`There is no command ${command}.`);
   line([command, ...values]);
 }
 

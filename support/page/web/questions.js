@@ -1,9 +1,8 @@
 // The question of an experiment: what you predict, what you have seen, and what happened.
-import { make, one, show } from "page";
+import { make, one, paragraph, show } from "page";
 import { send } from "program";
 
 const LETTERS = "ABCDE";
-const paragraph = (...parts) => make("p", {}, ...parts);
 const strong = text => make("strong", {}, text);
 
 show("question", question => one(".asked").replaceChildren(...question ? [makeQuestion(question)] : []));
@@ -12,7 +11,7 @@ function makeQuestion({ state, key, question, answers, replies, outcome, why }) 
   const element = make("div", { className: "question" }, paragraph(strong(question)));
   const withLetter = number => `${LETTERS[number]}, ${answers[number]}`;
   if (state === "seen") element.append(paragraph(strong("What did you see?")));
-  if (state === "asked" || state === "seen") {
+  if (state in replies) {
     element.append(makeAnswers(key, answers));
   } else {
     if (replies.asked !== null) element.append(paragraph(`You said: ${withLetter(replies.asked)}.`));

@@ -1,5 +1,4 @@
 // What the page says of the motion: in numbers, in a sentence, and in bars.
-import { legible } from "colors";
 import { make, one, show, state } from "page";
 
 show("running", running => {
@@ -19,9 +18,11 @@ show("bars", chart => {
   one(".momenta").replaceChildren(...parts);
 });
 
+export const inWords = () => [...Object.entries(state.motion ?? {}), state.summary].join(", ");
+
 // A new element: a screen reader also says a sentence again.
 export function tell() {
-  one(".summary").replaceChildren(make("span", {}, state.summary));
+  one(".summary").replaceChildren(make("span", {}, inWords()));
 }
 
 function readoutRow([name, text]) { // its second line is a caption
@@ -35,7 +36,7 @@ function makeBar([name, text, color, part]) {
   const bar = make("i");
   const width = 50 * Math.abs(part);
   const left = part < 0 ? 50 - width : 50;
-  Object.assign(bar.style, { left: `${left}%`, width: `${width}%`, background: legible(color) });
+  Object.assign(bar.style, { left: `${left}%`, width: `${width}%`, background: color });
   const track = make("span", { className: "track" }, bar);
   return make("div", {}, make("span", {}, name), track, make("output", {}, text));
 }

@@ -1,26 +1,17 @@
-// A recorded run, in place of the line to the program: it plays the pictures in this file.
-// All values in a picture are absolute, and the first one has all. So a moment is all pictures up to
-// it.
-import "controls";
-import "graph";
-import "hits";
-import "keys";
-import "questions";
-import "readout";
-import "unknown";
+// A saved run, in place of the line to the program: it plays the pictures in this file, up to a
+// question that you have not answered.
+// All values in a picture are absolute. So a moment is all pictures up to it.
 import { showPicture } from "canvas";
-import { isShape, objects, takeImagesFrom } from "glow";
-import { make, one, show, state, update } from "page";
+import { hideAll, takeImagesFrom } from "glow";
+import { make, one, state, update } from "page";
 import { setLine, sliders } from "program";
 
 const LONGEST_STEP = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
 const SLOWLY = 0.1; // times real time
-const FIXED = ["canvas", "texture"]; // of a shape: they never change in a run
 
 const files = JSON.parse(one(".textures").textContent); // of the textures, by their names
 const slider = one(".moment");
 
-show("ended", message => one("[data-text=error]").textContent = message ?? "");
 takeImagesFrom(makeTexture);
 const run = contentOf(one(".run").textContent).stream().pipeThrough(new DecompressionStream("gzip"));
 const pictures = await new Response(run).json();
@@ -31,46 +22,41 @@ let time = 0; // s, of the film
 let lastDrawn = 0; // ms
 let speed = 1; // times real time
 
-const states = pictures.map(({ state }) => state.question?.state);
-const question = pictures.findLast(({ state }) => state.question?.why)?.state.question;
-const asks = question && states[0] === "running"; // else the film begins later
-const end = asks ? states.indexOf("explained") : Infinity; // of the first swing
-const replies = { asked: null, seen: null }; // yours
-let hasSeen = false; // whether you have seen the first swing
+// Your answers, by the state of the question that asks for them; null is none. All pictures share
+// them, so questions.js and marks.js find yours in each picture.
+const replies = { asked: null, seen: null };
+const states = []; // of the question, in each picture: one that is no key above never waits
+for (const { state: { question } } of pictures) {
+  if (question) question.replies = replies;
+  states.push(question === undefined ? states.at(-1) : question?.state);
+}
 
 const commands = {
   pause() {
-    if (stands()) return say("Choose an answer first.");
-    if (state.running) jump(current);
-    else if (current === last) jump(0);
+    jump(current < last ? current : 0);
     setRunning(!state.running);
   },
-  step() {
-    if (!state.running && !stands()) jump(current + 1);
-  },
+  step: () => jump(current + 1),
   restart() {
     replies.asked = replies.seen = null;
-    hasSeen = false;
     jump(0);
-    setRunning(state.running && !asks);
+    setRunning(!state.paused);
   },
   answer(_, number) {
-    const { state: asked, answers } = state.question ?? {};
-    if (!(asked in replies) || number >= answers.length) return;
-    replies[asked] = number;
-    swing(1);
+    if (!waits(current) || number >= state.question.answers.length) return;
+    replies[states[current]] = number;
+    jump(current);
+    setRunning(true);
   },
-  repeat: () => swing(SLOWLY),
+  repeat() {
+    jump(1 + states.findLastIndex((_, number) => number < current && isAnswered(number)));
+    setRunning(true, SLOWLY);
+  },
 };
 setLine(([name, ...values]) => commands[name]?.(...values));
-for (const { state } of pictures) {
-  delete state.question; // it is yours now
-  if (state.view) state.view.finger = 0; // nobody drags a bob: a finger on it turns the camera
-}
 slider.max = pictures[last].time;
 jump(0);
-const isCalm = matchMedia("(prefers-reduced-motion)").matches;
-setRunning(!isCalm && !state.unknown && !stands());
+setRunning(!matchMedia("(prefers-reduced-motion)").matches && !state.unknown);
 requestAnimationFrame(play);
 
 function contentOf(letters) {
@@ -92,49 +78,42 @@ async function drawTexture(canvas) {
   canvas.onload();
 }
 
-function setRunning(isOn) {
-  Object.assign(state, { running: isOn, paused: !isOn });
+// Return whether a picture waits for your answer.
+function waits(number) {
+  return replies[states[number]] === null;
+}
+
+function isAnswered(number) {
+  return Number.isInteger(replies[states[number]]);
+}
+
+// Return the number of the first picture from this one on for which this is true, or of the last one.
+function firstFrom(number, isIt) {
+  const found = pictures.findIndex((_, other) => other >= number && isIt(other));
+  return found < 0 ? last : found;
+}
+
+function setRunning(isOn, newSpeed = 1) {
+  speed = newSpeed;
+  const isWaiting = waits(current);
+  Object.assign(state, { running: isOn && !isWaiting, paused: !isOn && !isWaiting });
   update("running");
   update("paused");
-}
-
-function yourState() {
-  if (!asks) return "explained";
-  if (replies.asked === null) return "asked";
-  if (!hasSeen) return "running";
-  return replies.seen === null ? "seen" : "explained";
-}
-
-// Return whether the cradle waits at its release for an answer.
-function stands() {
-  return current === 0 && ["asked", "seen"].includes(state.question?.state);
-}
-
-function say(word) {
-  state.word = word;
-  update("word");
-}
-
-// Show the first swing, at this speed.
-function swing(newSpeed) {
-  speed = newSpeed;
-  say("");
-  jump(0);
-  setRunning(true);
+  document.documentElement.classList.toggle("waiting", isWaiting);
 }
 
 function play(now) {
   const place = sliders.get("moment");
   sliders.clear();
   if (place !== undefined) {
-    setRunning(false);
     jump(numberAt(place));
+    setRunning(false);
   }
   if (state.running) {
+    time = Math.max(time, pictures[current].time); // it is earlier than what follows an answer
     time += speed * Math.min((now - lastDrawn) / 1000, LONGEST_STEP);
     go(numberAt(time));
-    if (current >= end) endSwing();
-    if (current === last) setRunning(false);
+    if (waits(current) || current === last) setRunning(current < last);
   }
   lastDrawn = now;
   requestAnimationFrame(play);
@@ -144,35 +123,23 @@ function numberAt(time) {
   return pictures.findLastIndex(picture => picture.time <= time);
 }
 
-// Ask what you have seen; the cradle then stands as at the release.
-function endSwing() {
-  speed = 1;
-  hasSeen = true;
-  if (replies.seen !== null) return;
-  jump(0);
-  setRunning(false);
-}
-
 // A page gets its numbers ten times a second: only a picture with them is right in all.
 function jump(number) {
-  const next = pictures.findIndex(({ state }, i) => i >= number && state.motion);
-  go(next < 0 ? last : next);
+  go(firstFrom(number, other => pictures[other].state.motion));
   time = pictures[current].time;
-  if (question) state.question = { ...question, state: yourState(), replies };
-  update("question");
-  slider.hidden = stands();
 }
 
 // Go to the picture with this number: what has changed since the one that is shown, or since the first.
+// Leave out what you have answered, and stop at the first question that waits.
 function go(number) {
+  number = firstFrom(number, other => !isAnswered(other));
+  number = Math.min(number, firstFrom(0, waits));
   if (number === current) return;
   const isLater = number > current;
   if (!isLater) hideAll();
   const some = pictures.slice(isLater ? current + 1 : 0, number + 1);
-  const drawing = merged(some);
   showPicture({
-    cmds: drawing.filter(change => change.idx !== undefined).flatMap(asChange),
-    attrs: drawing.filter(change => change.idx === undefined),
+    drawing: merged(some),
     state: Object.assign({}, ...some.map(picture => picture.state)),
   });
   current = number;
@@ -188,19 +155,5 @@ function merged(some) {
       last.delete(key);
       last.set(key, drawing[key]);
     }
-  return [...last.values()];
-}
-
-// What was made later must not be seen; the makers of what is there show it again.
-function hideAll() {
-  for (const shape of objects.filter(isShape)) shape.visible = false;
-}
-
-// A shape that is there already gets the values with which it was made.
-function asChange({ cmd, idx, ...values }) {
-  const object = objects[idx];
-  if (!object) return [{ cmd, idx, ...values }]; // VPython's handler changes what it gets
-  if (!isShape(object)) return [];
-  const names = Object.keys(values).filter(name => !FIXED.includes(name));
-  return ["visible", ...names].map(name => ({ idx, [name]: values[name] ?? true }));
+  return Object.fromEntries(last);
 }

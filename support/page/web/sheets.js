@@ -1,18 +1,17 @@
 // The sheets of all experiments, two on a page: to predict, to see and to measure.
 import { drawCradle } from "gallery";
-import { make, one, state } from "page";
+import { make, one, paragraph, state } from "page";
 
-one(".print-sheets").addEventListener("click", () => {
+one(".print-sheets").onclick = () => {
   one("#gallery").hidePopover();
-  one(".sheets").replaceChildren(...Object.entries(state.sheets).map(makeSheet));
+  one(".sheets").replaceChildren(...state.sheets.map(makeSheet));
   print();
-});
+};
 addEventListener("afterprint", () => one(".sheets").replaceChildren());
 
-const paragraph = (...parts) => make("p", {}, ...parts);
 const ruled = () => make("div", { className: "ruled" });
 
-function makeSheet([name, { question, answers }]) {
+function makeSheet([name, question, answers]) {
   return make("article", {},
     make("div", { className: "fields" }, make("span", {}, "Name"), make("span", {}, "Date")),
     make("h2", {}, name),

@@ -21,7 +21,7 @@ function followBox() {
 }
 
 show("sound", ({ speed }) => {
-  if (audio?.state !== "running" || !speed) return;
+  if (audio?.state !== "running") return;
   const source = new AudioBufferSourceNode(audio, { buffer: click });
   // The root: the ear hears slow hits, too, among fast ones.
   const gain = 0.5 * Math.sqrt(Math.min(1, speed / LOUDEST));

@@ -4,46 +4,42 @@ import { make, one, show, state } from "page";
 import { send } from "program";
 
 const table = one(".pendula");
-let shape;
 let ticket; // of the CSV that this page has asked for
 
-show("table", columns => {
-  const newShape = String(columns.map(({ title, limits, texts }) => [title, limits, texts.length]));
-  if (shape !== newShape) build(columns);
-  shape = newShape;
-  columns.forEach(({ texts }, column) => texts.forEach((text, row) => {
-    const cell = table.rows[row + 1].cells[column + 1];
-    const [field] = cell.children;
-    if (!field) cell.textContent = text;
-    else if (field !== document.activeElement) fill(field, text);
-  }));
-});
-
-function build(columns) {
-  const titles = columns.map(({ title }) => make("th", { scope: "col" }, title));
-  const rows = columns[0].texts.map((_, row) => {
+show("columns", columns => {
+  const titles = columns.map(([title]) => make("th", { scope: "col" }, title));
+  const rows = state.cells[0].map((_, row) => {
     const name = make("th", { scope: "row" }, `pend_list[${row}]`);
-    const fields = columns.map(({ title, limits }) => limits ? makeField(row, title, limits) : "");
+    const fields = columns.map(([title, limits]) => limits ? makeField(row, title, limits) : "");
     return make("tr", {}, name, ...fields.map(field => make("td", {}, field)));
   });
   table.replaceChildren(make("tr", {}, make("td"), ...titles), ...rows);
+  fill();
+});
+show("cells", fill);
+
+function fill() {
+  state.cells.forEach((texts, column) => texts.forEach((text, row) => {
+    const cell = table.rows[row + 1].cells[column + 1];
+    const [field] = cell.children;
+    if (!field) cell.textContent = text;
+    else if (field !== document.activeElement) {
+      field.value = text;
+      field.setCustomValidity("");
+    }
+  }));
 }
 
 function makeField(row, column, [least, most]) {
   const ariaLabel = `${column} of pend_list[${row}]`;
-  const field = make("input", { type: "text", inputMode: "decimal", size: 6, ariaLabel });
-  field.addEventListener("change", () => {
+  const field = make("input", { type: "text", inputMode: "decimal", ariaLabel });
+  field.onchange = () => {
     const number = Number(field.value.replace(",", ".") || NaN);
     const isAllowed = number >= least && number <= most;
     field.setCustomValidity(isAllowed ? "" : `Type a number from ${least} to ${most}.`);
     if (field.reportValidity()) send("edit", row, column, number);
-  });
+  };
   return field;
-}
-
-function fill(field, text) {
-  field.value = text;
-  field.setCustomValidity("");
 }
 
 one(".save-csv").onclick = () => {
