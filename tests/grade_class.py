@@ -3,29 +3,35 @@
 Each submission has a pytest of its own and, without --here, a container.
 """
 
+import json
 import os
 import shutil
+import subprocess
 import sys
-import threading
-import time
-from concurrent.futures import ThreadPoolExecutor, wait
+from argparse import Namespace
+from collections.abc import Collection, Iterator
+from concurrent.futures import as_completed, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, TemporaryFile
+from typing import NoReturn
 
 if __name__ == "__main__":
     sys.path.insert(0, os.path.dirname(__file__))  # with PYTHONSAFEPATH, Python does not
 
 import grading.begin  # noqa: F401
 
+from make_starter import make_starter
+
 from support.start.end import ended_quietly, on_signals
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, progress_bar
-from teacher.containers import find_engine
-from teacher.report import own_folder, Report
-from teacher.runners import Here, READ_OR_START
-from teacher.submissions import read_submission, submissions_in
+from teacher.containers import find_engine, LATE, Runner, SECONDS
+from teacher.one_run import Result, without_grade
+from teacher.submissions import pack, submissions_in
+from teacher.table import write_table
 
-LOOK_AT_THREADS = 0.2  # s from one look at the other threads to the next
+LOOK_AGAIN = 0.2  # s until runs that should end are ended again: they may only have begun
 
 
 @ended_quietly()
@@ -34,159 +40,121 @@ def main() -> None:
 
     After Ctrl+C or another signal, it is 128 and the signal's number.
     """
-    options, submitted, others = read_options()
-    for folder in filter(None, (options.out, options.gradescope)):
-        own_folder(folder)
-    stopped = threading.Event()
-    status = []
-
-    def stop(number, _):
-        status.append(128 + number)
-        stopped.set()
-
+    options = read_options()
     on_signals(stop)
-    report = Report(options.out, options.gradescope)
+    results: dict[str, Result] = {}
     with TemporaryDirectory(prefix="cradle-") as work:
         folder = Path(work, "starter")
-        starter = copy_starter(options.starter, folder)
-        runner = Here(folder) if options.here else find_engine(folder, starter, stopped)
+        make_grader(folder, options.starter)
+        runner = Runner(folder) if options.here else find_engine(folder, options.packages)
+        runner.prepare()
+        with ThreadPoolExecutor(1) as worker:
+            run = worker.submit(grade, runner, [], stderr=None)
+            with ended([run], runner):
+                starter = run.result()
+        if not starter.get("is_final"):
+            why = [*starter["problems"], *starter["text"].splitlines()]
+            raise OSError(0, why[-1], "The starter")
+        options.grades.mkdir(mode=0o700, exist_ok=True)
+        options.grades.chmod(0o700)
         try:
-            Grading(submitted, starter, runner, report, stopped).grade_all()
-        except OSError:
-            if not status:  # or what was ended fails
-                raise
+            grade_all(options.students, runner, results)
         finally:
-            if report.rows:  # or an older table stays
-                report.write()
-                print(*report.summary(len(submitted)), sep="\n")
-    if others:
-        print(f"No submissions: {in_one_line(', '.join(others))}")
-    sys.exit(*status[:1])
+            if results:  # or an older table stays
+                table = write_table(options.grades, results)
+                print(f"{len(results)} of {len(options.students)} solutions are in {table}")
+    for name in options.rest:
+        print(f"not recognised: {in_one_line(name)}")
 
 
-def read_options():
-    """Return the options, the submissions by the student's key, and the names of all others."""
+def stop(number: int, _: object) -> NoReturn:
+    """End the program by an error; another signal could leave a container behind."""
+    on_signals(lambda *_: None)
+    sys.exit(128 + number)
+
+
+def read_options() -> Namespace:
+    """Return the options, with students (what each has handed in), rest (names) and grades."""
     parser = OneLineParser(description="Grade a whole class.", allow_abbrev=False)
-    add = parser.add_argument
-    add(
-        "submissions",
-        metavar="SUBMISSIONS",
-        type=Path,
-        help="a folder with a folder or a .zip for each student, or with the files of all",
-    )
-    add(
-        "--out",
-        metavar="FOLDER",
-        type=Path,
-        help="the folder for the results (default: SUBMISSIONS-grades)",
-    )
-    add(
-        "--gradescope",
-        metavar="DIR",
-        type=Path,
-        help="write DIR/STUDENT/results.json, as Gradescope reads it",
-    )
-    add(
-        "--starter",
-        metavar="FOLDER",
-        type=Path,
-        help="a starter that is already made (default: a new one)",
-    )
-    add("--here", action="store_true", help="run the solutions on this machine, without containers")
+    text = "a folder with a folder or a .zip for each student, or with the files of all"
+    parser.add_argument("submissions", metavar="SUBMISSIONS", type=Path, help=text)
+    text = "a starter that is already made (default: a new one)"
+    parser.add_argument("--starter", metavar="FOLDER", type=Path, help=text)
+    group = parser.add_mutually_exclusive_group()
+    text = "packages that the solutions may import, too"
+    group.add_argument("--packages", metavar="NAMES", default="", help=text)
+    text = "run the solutions on this machine, without containers"
+    group.add_argument("--here", action="store_true", help=text)
     options = parser.parse_args()
     folder = options.submissions.resolve()
-    options.out = options.out or folder.with_name(f"{folder.name}-grades")
     try:
-        submitted, others = submissions_in(folder)
-    except OSError as error:
-        parser.error(f"argument SUBMISSIONS: {options.submissions}: {error.strerror}")
+        options.students, options.rest = submissions_in(folder)
+        options.grades = folder.with_name(f"{folder.name}-grades")
     except ValueError as error:
         parser.error(f"argument SUBMISSIONS: {error}")
-    for name, path in (("out", options.out), ("gradescope", options.gradescope)):
-        if path and path.resolve().is_relative_to(folder):
-            allowed = "a folder outside of SUBMISSIONS"
-            parser.error(f"argument --{name}: found '{path}', allowed is {allowed}")
-    if options.starter and not (options.starter / "tests" / "grading").is_dir():
+    tests = options.starter and options.starter / "tests"
+    if tests and (not (tests / "grading").is_dir() or (tests / "project").is_dir()):
         allowed = "a folder made by make_starter.py"
         parser.error(f"argument --starter: found '{options.starter}', allowed is {allowed}")
-    return options, submitted, others
+    return options
 
 
-def copy_starter(starter, folder) -> dict[str, bytes]:
-    """Copy a starter to this folder, or make one there; return its files by their paths.
-
-    The files of the image, and of a run, are put into it.
-    """
+def make_grader(folder: Path, starter: Path | None = None) -> None:
+    """Make a folder with a starter, a new one or a copy, and what grades a solution in it."""
     if starter:
-        ignored = shutil.ignore_patterns(".*", "__pycache__")
-        shutil.copytree(starter, folder, ignore=ignored, ignore_dangling_symlinks=True)
+        shutil.copytree(starter, folder, ignore=shutil.ignore_patterns(".*", "__pycache__"))
     else:
-        # A folder for Gradescope, itself a starter, does not have it
-        from make_starter import make_starter
-
         make_starter(folder)
-    (folder / "tests" / "teacher").mkdir(exist_ok=True)
-    for name in ("Containerfile", "one_run.py", "setup.sh"):
-        shutil.copy(Path(__file__).with_name("teacher") / name, folder / "tests" / "teacher")
-    files = {}
-    for path in filter(Path.is_file, sorted(folder.rglob("*"))):
-        files[path.relative_to(folder).as_posix()] = path.read_bytes()
-    return files
+    teacher = Path(__file__).with_name("teacher")
+    shutil.copytree(teacher, folder / "tests" / "teacher", ignore=shutil.ignore_patterns("__*"))
 
 
-class Grading:
-    """Grades a class by a runner, and gives the results to a report."""
+def grade_all(students: dict[str, list[Path]], runner: Runner, results: dict[str, Result]) -> None:
+    """Grade all students, one on each core; then those again, each alone, that are not sure."""
+    unsure = [*students]
+    with progress_bar() as progress:
+        for cores in (os.cpu_count() or 1, 1):
+            with ThreadPoolExecutor(cores) as workers:
+                runs = {}
+                for student in unsure:
+                    runs[workers.submit(grade, runner, students[student])] = student
+                with ended(runs, runner):
+                    for run in as_completed(runs):
+                        results[runs[run]] = run.result()
+                        progress(len(results) / len(students))
+            unsure = [student for student in unsure if not results[student].get("is_final")]
 
-    def __init__(self, submitted, starter, runner, report, stopped):
-        self.submitted = submitted  # by the student's key
-        self.starter = starter  # its files by their paths
-        self.runner = runner
-        self.report = report
-        self.stopped = stopped  # set once no more solutions are graded
-        self.lock = threading.Lock()
-        self.unsure: list[str] = []  # students whose run something beside it may have changed
 
-    def grade_all(self) -> None:
-        """Grade all students, one on each core; then those that are unsure again, each alone."""
-        with ThreadPoolExecutor(self.runner.cores) as workers, progress_bar() as self.progress:
-            self.finish([workers.submit(self.runner.open)])
-            self.finish([workers.submit(self.grade, student) for student in self.submitted])
-            for student in sorted(self.unsure):
-                self.finish([workers.submit(self.grade, student, is_last=True)])
+@contextmanager
+def ended(runs: Collection[Future], runner: Runner) -> Iterator[None]:
+    """At the end of the body, end the runs that go on, as after Ctrl+C: the main thread waits."""
+    try:
+        yield
+    finally:
+        for run in runs:
+            run.cancel()
+        while wait(runs, timeout=LOOK_AGAIN).not_done:
+            runner.end_all()
 
-    def finish(self, futures) -> None:
-        """Wait for the work of other threads; raise the error that one of them raises.
 
-        Ctrl+C, and an error, end the others.
-        """
-        while wait(futures, timeout=LOOK_AT_THREADS).not_done:
-            # Between two waits, a signal comes through, also on Windows
-            if any(future.done() and future.exception() for future in futures):
-                self.stopped.set()
-            if self.stopped.is_set():
-                self.runner.end_all()
-        for future in futures:
-            future.result()
-
-    def grade(self, student, is_last=False) -> None:
-        """Grade a student, and report the result if it is sure, or is the last one."""
-        if self.stopped.is_set():
-            return
-        with READ_OR_START:
-            files, problems = read_submission(self.submitted[student], self.starter)
-        begin = time.monotonic()
-        run = self.runner.run(files)
-        seconds = time.monotonic() - begin
-        if self.stopped.is_set():  # it has ended the run
-            return
-        if not (run.is_final or is_last):
-            self.unsure.append(student)
-            return
-        if run.problem:
-            problems.append(run.problem)
-        with self.lock:
-            self.report.add(student, seconds, problems, run.grade)
-            self.progress(len(self.report.rows) / len(self.submitted))
+def grade(runner: Runner, paths: list[Path], stderr: int | None = subprocess.DEVNULL) -> Result:
+    """Return the result of what a student has handed in; runner.run says what stderr is."""
+    with TemporaryFile(buffering=0) as submission:
+        try:
+            pack(paths, submission)
+            submission.seek(0)
+        except OSError as error:
+            return without_grade([f"cannot be read: {error}"])
+        status, output = runner.run(submission, stderr)
+    with suppress(ValueError, LookupError, TypeError, RecursionError):
+        result = json.loads(output)
+        # A solution can have written it
+        if isinstance(result["problems"], list) and isinstance(result["text"], str):
+            return result
+    problem = f"no grade: the run ended with status {status}"
+    if status == LATE:
+        problem = f"no grade: the run took longer than {SECONDS} s"
+    return without_grade([problem])
 
 
 if __name__ == "__main__":

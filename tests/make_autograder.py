@@ -12,9 +12,9 @@ from tempfile import TemporaryDirectory
 if __name__ == "__main__":
     sys.path.insert(0, os.path.dirname(__file__))  # with PYTHONSAFEPATH, Python does not
 
-from grading.begin import ROOT
+import grading.begin  # noqa: F401
 
-from make_starter import make_starter
+from grade_class import make_grader
 
 from support.files.data_file import whole_file
 from support.start.end import ended_quietly
@@ -32,10 +32,7 @@ def main() -> None:
         parser.error(f"argument FILE.zip: found '{file}', allowed is a new file that ends in .zip")
     with whole_file(file) as archive, TemporaryDirectory() as work:
         folder = Path(work, "autograder")
-        make_starter(folder)
-        shutil.copy(ROOT / "tests" / "grade_class.py", folder / "tests")
-        no_copies = shutil.ignore_patterns("__pycache__")
-        shutil.copytree(ROOT / "tests" / "teacher", folder / "tests" / "teacher", ignore=no_copies)
+        make_grader(folder)
         # https://gradescope-autograders.readthedocs.io/en/latest/specs/
         for name in ("setup.sh", "run_autograder"):
             shutil.copy(folder / "tests" / "teacher" / name, folder)

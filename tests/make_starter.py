@@ -90,7 +90,7 @@ def main() -> None:
     print(in_one_line(f"{folder} is ready. Its ASSIGNMENT.md says what your students write."))
 
 
-def make_starter(folder) -> None:
+def make_starter(folder: Path) -> None:
     """Make the folder, or fill an empty one.
 
     If this fails, leave nothing behind, and raise an OSError.
@@ -128,18 +128,18 @@ def changed_texts() -> dict[str, bytes]:
     texts[GIVEN_FUNCTIONS] = given_functions(texts)
     texts["src/no_program.py"] = NO_PROGRAM_FILE
     project, _, _ = text_of("pyproject.toml").partition("\n# A plain pytest")
-    texts["pyproject.toml"] = project.replace(" -m 'not browser and not slow'", "")
+    texts["pyproject.toml"] = project.replace(" -m 'not browser and not slow and not engine'", "")
     for name, place in OWN.items():
         texts[name] = text_of(place).replace("../../", "")  # in links
     return {name: text.encode() for name, text in texts.items()}
 
 
-def text_of(file) -> str:
+def text_of(file: str) -> str:
     """Return the text of a file of the project."""
     return (ROOT / file).read_text(encoding="utf-8")
 
 
-def is_left_out(name) -> bool:
+def is_left_out(name: str) -> bool:
     """Return whether students do not get a file or a folder of this name.
 
     A name that begins with a dot is that of an editor's copy, or of what a Mac adds to a file on a
@@ -148,7 +148,7 @@ def is_left_out(name) -> bool:
     return name in LEFT_OUT or name.startswith(".")
 
 
-def for_students(file) -> str:
+def for_students(file: str) -> str:
     """Return the source of a file of src/ without what students write.
 
     The docstrings of their functions stay.
@@ -169,7 +169,7 @@ def for_students(file) -> str:
     return source
 
 
-def given_functions(texts) -> str:
+def given_functions(texts: dict[str, str]) -> str:
     """Return JSON: [file, source] of each function that src/ provides, by its name.
 
     texts has what students get of the files that they write into, by their paths.
@@ -193,31 +193,35 @@ class Gap(NamedTuple):
     task: str = ""  # of these lines, for the comment
 
 
-def gaps(source) -> list[Gap]:
+def gaps(source: str) -> list[Gap]:
     """Return what students write in a file: the bodies of functions, and parts of the program."""
     found = []
     for statement in ast.parse(source).body:
         if isinstance(statement, ast.FunctionDef) and statement.name in STUDENTS_FUNCTIONS:
             # The docstring is the first statement
             provided = statement.body[PROVIDED.get(statement.name, 0)]
-            gap = Gap(provided.end_lineno, statement.end_lineno, statement.name, "    ")
-            found.append(gap)
+            found.append(Gap(end_of(provided), end_of(statement), statement.name, "    "))
         elif isinstance(statement, ast.If):  # of __name__
             for part in ast.walk(statement):
-                if type(part) in PROGRAM:
+                if isinstance(part, ast.stmt) and type(part) in PROGRAM:
                     indent = " " * part.col_offset
                     task = f": {PROGRAM[type(part)]}"
-                    found.append(Gap(part.lineno - 1, part.end_lineno, "the program", indent, task))
+                    found.append(Gap(part.lineno - 1, end_of(part), "the program", indent, task))
     return found
 
 
-def used_names(source) -> set[str]:
+def end_of(statement: ast.stmt) -> int:
+    """Return the number of the last line of a statement."""
+    return statement.end_lineno or statement.lineno
+
+
+def used_names(source: str) -> set[str]:
     """Return the names that the code of a file uses."""
     names = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Name)]
     return {name.id for name in names if isinstance(name.ctx, ast.Load)}
 
 
-def without_unused(source, helpers) -> str:
+def without_unused(source: str, helpers: set[str]) -> str:
     """Return the source without the imports, functions and values of helpers that nothing uses."""
     unused = helpers - used_names(source)
     for statement in ast.parse(source).body:
@@ -227,7 +231,7 @@ def without_unused(source, helpers) -> str:
     return source
 
 
-def names_of(statement) -> set[str]:
+def names_of(statement: ast.stmt) -> set[str]:
     """Return the names that an import, a function or a value with a type defines, or {""}."""
     if isinstance(statement, ast.AnnAssign):
         return {ast.unparse(statement.target)}
@@ -235,7 +239,7 @@ def names_of(statement) -> set[str]:
     return {getattr(part, "name", "") for part in parts}
 
 
-def without(source, statement) -> str:
+def without(source: str, statement: ast.stmt) -> str:
     """Return the source without a statement; of the gaps above and below it, one stays."""
     lines = source.splitlines(keepends=True)
     above = "".join(lines[: statement.lineno - 1])

@@ -217,7 +217,7 @@ def swings(ticks):
     states = [(0.0, THETA_INIT)]
     for _ in range(ticks):
         # The same motion
-        states.append(usable_result("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G))
+        states.append(tuple(usable_result("angle_update", *states[-1], 2 * R_PARAM, DT, 2 * G)))
     return states
 
 

@@ -33,7 +33,7 @@ from support import simulation
 from support.root import ROOT
 
 NEED_ITS_PAGE = "text", "compound", "extrusion", "graph", "gobj", "controls", "attach_trail"
-GROW = "curve", "points"  # by calls, of which each tab would need all
+GROW = "curve", "points"  # they grow by calls, and a new tab would need all of these calls
 # In glowcomm.html, its own websocket and its fonts are before this.
 SCRIPT = "window.__GSlang ="
 # In glow.min.js: a call without a use, which some sites forbid.

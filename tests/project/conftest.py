@@ -13,7 +13,6 @@ from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
-from classroom import classroom, engine  # noqa: F401  fixtures
 from graded import solve  # noqa: F401  a fixture
 from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
 from programs import copy_project, needs_vpython, PROGRAM

@@ -49,12 +49,6 @@ BOBS = st.sampled_from([0, 1])
 DISTANCES = st.sampled_from([0.99, 0.99, 1.01])
 DOUBLE_HITS = st.tuples(DOUBLE_PENDULA, DOUBLE_PENDULA, st.tuples(BOBS, BOBS), DISTANCES)
 
-# theta, phi (rad) and the sizes of the bobs of four pendula
-SIZES = st.floats(0.5, 2)
-BENT_ROWS = st.lists(
-    st.tuples(st.floats(-2, 2), st.floats(-3, 3), SIZES, SIZES), min_size=4, max_size=4
-)
-
 
 # --- the fast path ------------------------------------------------------------------------------
 

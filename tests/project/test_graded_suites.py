@@ -46,7 +46,7 @@ WAYS = [(name, way) for name in FUNCTIONS for way in ("plainly", *RIGHT[name])]
 @pytest.mark.parametrize(("function", "way"), WAYS)
 def test_a_right_solution_passes(solve, function, way):
     solve(function, RIGHT[function].get(way, PLAIN[function]))
-    for outcome in outcomes_of(function, users=False).values():
+    for outcome in outcomes_of(function).values():
         assert outcome.state == PASSED, outcome
 
 

@@ -181,10 +181,11 @@ def test_the_table_has_both_rates_of_double_pendula_and_the_momentum_of_their_bo
     rig = Rig(csv, 30, 20, kind=DoubleCradle)
     rig.give("slow_hits", True)
     left, _ = wait_for_hit(rig)
-    pend = rig.viewer.slow_hits.shown_pendula()[0]
-    v, p = rig.cradle.velocity(pend), momentum([pend], R_PARAM)
-    after = [float(text.split()[-1]) for text in left.values()]
-    assert after == pytest.approx([1, pend["omega"], pend["phi_omega"], v, p], abs=0.006)
+    hit, *_ = rig.viewer.slow_hits.current
+    for pend, side in ((hit.before[0], 0), (hit.after[0], -1)):
+        v, p = rig.cradle.velocity(pend), momentum([pend], R_PARAM)
+        found = [float(text.split()[side]) for text in left.values()]
+        assert found == pytest.approx([1, pend["omega"], pend["phi_omega"], v, p], abs=0.006)
 
 
 def test_slow_hits_say_why_they_are_empty(csv, write):

@@ -1,12 +1,9 @@
-"""That the lists of packages agree, and that the page needs no more than the short one."""
+"""That the lists of packages agree; test_uv.py starts the page with no more than the short one."""
 
 import json
 import re
-import venv
-from importlib import metadata
 
-from pages import open_cradle, wait_for_throw
-from programs import CLOSED, end, first_lines, ROOT, running
+from programs import ROOT
 
 from support.start.options import CLOSED_VARIABLE, PORT_VARIABLE
 
@@ -45,21 +42,3 @@ def test_the_workflow_has_the_lines_of_the_readme():
     assert len(re.findall(pattern, readme, re.MULTILINE)) == 1
     installs = re.findall(r"^    (\.venv\\Scripts\\p(?:ip|ytest).*)$", readme, re.MULTILINE)
     assert re.findall(r"^ +(\.venv\\.*)$", workflow, re.MULTILINE) == installs
-
-
-def test_the_page_works_with_the_short_list_alone_until_the_tab_is_closed(page, program, tmp_path):
-    """In an environment with these packages of the Python that runs the tests, if it has them."""
-    environment = tmp_path / "environment"
-    venv.create(environment, symlinks=True)
-    [place] = environment.glob("lib/python*/site-packages")
-    for package in metadata.distributions():
-        if package.name.lower() in LISTED:
-            parts = {file.parts[0] for file in package.files or ()}
-            for part in parts - {"..", "__pycache__"}:
-                (place / part).symlink_to(package.locate_file(part))
-    python = str(environment / "bin" / "python")
-    with running(program, python=python) as process:
-        open_cradle(page, first_lines(process))
-        wait_for_throw(page)
-        page.close()
-        assert end(process) == CLOSED

@@ -4,10 +4,8 @@ import json
 import sys
 
 import pytest
-from programs import PROGRAM, python, with_vpython
 from rig import Rig
 from students import put_files
-from test_run_file import pictures_in
 from whole_cradles import PERIOD
 
 from src import text_cradle_run
@@ -126,15 +124,6 @@ def test_a_value_that_is_found_is_shown_until_the_next_run(unknown):
     assert "energy" not in rig.state["motion"]
 
 
-@with_vpython
-def test_a_saved_run_does_not_show_it(tmp_path):
-    experiment = put_files(tmp_path, {"one.toml": MASS}) / "one.toml"
-    run = tmp_path / "run.html"
-    options = "--experiment", experiment, "--seconds", f"{PERIOD / 2}"
-    assert python(PROGRAM, "--html", run, *options).returncode == 0
-    assert DIGITS not in pictures_in(run)
-
-
 def test_lines_and_recorded_data_do_not_show_it(tmp_path, monkeypatch, capsys):
     """Data can replace such data."""
     experiment = put_files(tmp_path, {"one.toml": MASS}) / "one.toml"
@@ -149,16 +138,3 @@ def test_lines_and_recorded_data_do_not_show_it(tmp_path, monkeypatch, capsys):
     shown = capsys.readouterr().out
     assert "energy" not in shown
     assert "0.00   -45.0     0.0     0.0\n" in shown
-
-
-def test_a_shipped_hidden_mass_is_found_from_the_first_slow_hit(rig):
-    """Together, the bobs keep the momentum, as `why` says; the second one has 1 kg."""
-    rig.give("slow_hits", True)
-    rig.give("experiment", "An unknown mass")
-    rig.give("pause")
-    while not rig.state["hits"]:
-        rig.wait(0.05)
-    texts = [bob[VELOCITY] for bob in rig.state["hits"][0]["bobs"]]
-    v, v1, w, w1 = [float(number) for text in texts for number in text.split(" → ")]
-    rig.give("check", f"{(w1 - w) / (v - v1):.3f}")
-    assert rig.cradle.hidden is None  # it is found

@@ -1,147 +1,189 @@
-"""A container for each submission, by podman or Docker: what it may reach, and what it may take.
+"""Runs of one_run.py: each in a container, by podman or Docker, or as a plain process.
 
-A solution has no network, and sees no file of the machine. What it writes is not kept. Its files
-come on stdin, and its grade goes to stdout. The first process is timeout: no signal of a solution
-ends or stops it. By ptrace, a solution can stop it, so the time is also counted from outside.
+A solution in a container has no network, and sees no file of the machine. What it writes is not
+kept: its files come on stdin, and its result goes to stdout.
 """
 
-import hashlib
 import os
-import re
-import shutil
 import subprocess
+import sys
+import threading
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import IO
+from uuid import uuid4
 
-from teacher import one_run
-from teacher.runners import APART, READ_OR_START, Runner, SPARE
+from support.start.output import complain
 
-# How an engine says how many cores and bytes of memory it has: mostly those of a virtual machine
-SIZES = {
-    "podman": "{{.Host.CPUs}} {{.Host.MemTotal}}",
-    "docker": "{{.NCPU}} {{.MemTotal}}",
-}
-BASE = os.environ.get("CRADLE_BASE", "")  # another image than that of the Containerfile
-MEMORY = 1_500_000_000  # bytes for a submission, with its files; grading/limits.py allows 1 GB
-# An engine would hand on the address of a proxy, which may have a password
-PROXIES = ("http_proxy", "https_proxy", "ftp_proxy", "all_proxy")
-LIMITS = [
-    *("--rm", "--interactive", "--pull=never", "--network=none", "--log-driver=none"),
-    *("--user=65534:65534", "--cap-drop=all", "--security-opt=no-new-privileges"),
-    *("--read-only", "--tmpfs=/cradle:rw,size=50m,mode=1777", "--shm-size=1m"),
-    *("--pids-limit=12", "--oom-score-adj=1000", "--ulimit=core=0:0", "--ulimit=cpu=60:60"),
-    *("--ulimit=fsize=40000000:40000000", "--ulimit=nofile=256:256", "--ulimit=nproc=4096:4096"),
-    *(f"--env={name}=" for name in PROXIES),
-    *(f"--env={name.upper()}=" for name in PROXIES),
-]
-# Without the first one, podman leaves /tmp open. The second one holds if this program is killed.
-OF_PODMAN = ["--read-only-tmpfs=false", f"--timeout={one_run.SECONDS + SPARE}"]
-ONE_RUN = "/autograder/source/tests/teacher/one_run.py"
-NO_START = 125  # the exit status if the engine could not start a run; a solution can have it, too
+ONE_RUN = "tests/teacher/one_run.py"
+BASE = os.environ.get("CRADLE_BASE", "")  # an image in place of the one in the Containerfile
+SECONDS = 300  # of a run, by the clock
+LATE = 124  # the exit status of a run that takes longer, as the command timeout has it
+SPARE = 15  # s in which a container begins, and ends
+MOST_BYTES = 2_000_000  # of a result
 PATIENCE = 60  # s for an answer of the engine
 
+# Options of the engine; one with several values is given once for each.
+LIMITS = {
+    "rm": "true",
+    "interactive": "true",
+    "pull": "never",
+    "log-driver": "none",
+    "network": "none",
+    # An engine would hand on the address of a proxy, which may have a password
+    "env": "http_proxy= https_proxy= ftp_proxy= HTTP_PROXY= HTTPS_PROXY= FTP_PROXY=",
+    "user": "65534:65534",
+    "cap-drop": "all",
+    "security-opt": "no-new-privileges",
+    # For a submission with its files; grading/limits.py allows 1 GB
+    "memory": "1500m",
+    "memory-swap": "1500m",
+    "read-only": "true",
+    "tmpfs": "/cradle:rw,size=50m,mode=1777",
+    "shm-size": "1m",
+    "pids-limit": "12",
+    "oom-score-adj": "1000",
+    "stop-timeout": "0",
+    "ulimit": "core=0:0 cpu=60:60 fsize=40000000:40000000 nofile=256:256 nproc=4096:4096",
+}
+OF_PODMAN = {
+    "read-only-tmpfs": "false",  # or /tmp is open
+    "timeout": f"{SECONDS + SPARE}",  # also if this program is killed
+}
+ENGINES = ("podman", "docker")
 
-def call(program, *words) -> subprocess.CompletedProcess:
-    """Run a command of an engine to its end."""
-    try:
-        return subprocess.run(
-            [program, *words],
-            capture_output=True,
-            text=True,
-            errors="replace",
-            stdin=subprocess.DEVNULL,
-            timeout=PATIENCE,
-            **APART,
-        )
-    except subprocess.TimeoutExpired:
-        return subprocess.CompletedProcess(words, 1, "", "it does not answer")
 
+class Runner:
+    """Runs each submission as a plain process: for code that you trust."""
 
-def size_of(program) -> tuple[int, int]:
-    """Return how many cores, and bytes of memory, an engine has; raise an OSError if it does not
-    run."""
-    info = call(program, "info", "--format", SIZES[program])
-    found = re.fullmatch(r"([1-9]\d*) ([1-9]\d*)", info.stdout.strip())
-    if found is None:
-        reason = [f"status {info.returncode}", *info.stderr.strip().splitlines()][-1]
-        raise OSError(0, f"it does not run: {reason}", program)
-    return int(found[1]), int(found[2])
+    def __init__(self, folder: Path) -> None:
+        """folder has the starter, with tests/teacher/."""
+        self.folder = folder
+        self.running: dict[str, subprocess.Popen[bytes]] = {}  # by the name of the run
+
+    def prepare(self) -> None:
+        """Say what plain processes mean."""
+        complain("Each solution runs as a plain process, and can do here all that you can.")
+
+    def run(self, submission: IO[bytes], stderr: int | None) -> tuple[int, bytes]:
+        """Return the exit status of one_run.py for what pack has written, and what it prints.
+
+        It writes errors to stderr, as subprocess takes it.
+        """
+        name = f"cradle-{uuid4().hex}"
+        with TemporaryDirectory(prefix="cradle-", ignore_cleanup_errors=True) as work:
+            process = subprocess.Popen(
+                self.command(name),
+                cwd=work,
+                env={**os.environ, "TMPDIR": work},  # a pytest that is killed leaves files there
+                stdin=submission,
+                stdout=subprocess.PIPE,
+                stderr=stderr,
+                start_new_session=True,  # Ctrl+C is for this program
+            )
+            self.running[name] = process
+            # An engine can hang, and a solution can stop all processes of its container
+            late = threading.Timer(SECONDS + SPARE, self.end, [name, process])
+            late.start()
+            with process:
+                output = process.stdout.read(MOST_BYTES + 1)  # type: ignore[union-attr]
+                if len(output) > MOST_BYTES:
+                    self.end(name, process)
+            late.cancel()
+            del self.running[name]
+        return process.returncode, output
+
+    def command(self, name: str) -> list[str]:
+        """Return the words that start one_run.py."""
+        return [sys.executable, str(self.folder / ONE_RUN)]
+
+    def end(self, name: str, process: subprocess.Popen) -> None:
+        """End a run, also if it has just ended."""
+        process.terminate()
+
+    def end_all(self) -> None:
+        """End what runs."""
+        for name, process in [*self.running.items()]:
+            self.end(name, process)
 
 
 class Engine(Runner):
-    """Runs each pytest in a container, by this program: podman or docker."""
+    """Runs each submission in a container, by this program: podman or docker."""
 
-    def __init__(self, folder, starter, stopped, program, cores, memory):
-        """starter has the files in this folder by their paths; Ctrl+C sets stopped, an Event."""
+    def __init__(self, folder: Path, program: str, packages: str) -> None:
+        """packages are the names of those that the image has, too.
+
+        Raises an OSError if the engine does not run.
+        """
         super().__init__(folder)
-        self.stopped = stopped
-        version = hashlib.sha256(repr((starter, BASE)).encode()).hexdigest()[:16]
-        self.image = f"localhost/cradle-grader:{version}"
         self.program = program
-        self.cores = cores
-        share = min(MEMORY, memory // (cores + 1))
-        self.limits = [*LIMITS, f"--memory={share}", f"--memory-swap={share}"]
-        if program == "podman":
-            self.limits += OF_PODMAN
-        self.building: subprocess.Popen | None = None
-        self.is_told = False  # that the class has been stopped
+        self.packages = packages
+        self.image = ""  # its number
+        self.call("info")
 
-    def open(self) -> None:
-        self.build()
-        self.stderr = None  # at first, the engine's own words are for the teacher
-        super().open()
-        self.stderr = subprocess.DEVNULL
+    def call(self, *words: str) -> str:
+        """Return what a command of the engine prints. Raises an OSError if it fails."""
+        command = [self.program, *words]
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+        except FileNotFoundError:
+            raise OSError(0, "is not installed", self.program) from None
+        except subprocess.TimeoutExpired:
+            raise TimeoutError(0, "does not answer", self.program) from None
+        if done.returncode:
+            reason = [f"status {done.returncode}", *done.stderr.strip().splitlines()][-1]
+            raise OSError(0, f"does not run: {reason}", self.program)
+        return done.stdout
 
-    def build(self) -> None:
-        """Build the image, if it is not there; raise an OSError if this fails."""
-        if call(self.program, "image", "inspect", self.image).returncode == 0:
-            return
-        print("The image for the containers is built once. It takes a minute.", flush=True)
-        command = [self.program, "build", "--quiet", f"--tag={self.image}"]
+    def prepare(self) -> None:
+        """Build the image, as far as it is not there. Raises an OSError if this fails."""
+        print("Making the image. The first time, this takes a minute.", flush=True)
+        command = [self.program, "build", "--quiet", "--tag=localhost/cradle-grader"]
+        command += [f"--file={self.folder}/tests/teacher/Containerfile", str(self.folder)]
+        command.append(f"--build-arg=PACKAGES={self.packages}")
         if BASE:
             command.append(f"--build-arg=BASE={BASE}")
-        file = self.folder / "tests" / "teacher" / "Containerfile"
-        self.building = subprocess.Popen(
-            [*command, f"--file={file}", self.folder],
-            stdout=subprocess.DEVNULL,
-            **APART,
-        )
-        if self.stopped.is_set():  # what begins after Ctrl+C can ignore the signal of end_all
-            self.building.kill()
-        if self.building.wait() or self.stopped.is_set():
+        pipe = subprocess.PIPE
+        # After Ctrl+C, this waits: a build that is ended leaves containers behind
+        with subprocess.Popen(command, stdout=pipe, text=True, start_new_session=True) as build:
+            self.image = build.communicate()[0].strip()
+        if build.returncode:
             raise OSError(0, "cannot be built", "The image")
 
-    def run_package(self, content) -> tuple[int, bytes]:
-        status, output = super().run_package(content)
-        if status == NO_START:
-            size_of(self.program)  # or the class ends here
+    def run(self, submission: IO[bytes], stderr: int | None) -> tuple[int, bytes]:
+        status, output = super().run(submission, stderr)
+        if status:
+            self.call("info")  # or the class ends here
         return status, output
 
-    def command(self, name) -> list[str]:
-        run = [self.program, "run", f"--name={name}", *self.limits, self.image]
-        # one_run.py itself ends a pytest that takes too long
-        seconds = one_run.SECONDS
-        return [*run, "timeout", "-k", "5", f"{seconds + 5}", "python", ONE_RUN, f"{seconds}"]
+    def command(self, name: str) -> list[str]:
+        command = [self.program, "run", f"--name={name}"]
+        limits = LIMITS | OF_PODMAN if self.program == "podman" else LIMITS
+        for option, values in limits.items():
+            command += [f"--{option}={value}" for value in values.split()]
+        # No signal of a solution ends or stops the first process
+        command += [self.image, "timeout", "-k", "5", str(SECONDS)]
+        return [*command, "python", f"/autograder/source/{ONE_RUN}"]
 
-    def end(self, name) -> None:
-        with READ_OR_START:
-            call(self.program, "kill", name)
-
-    def end_all(self) -> None:
-        if self.building and not self.is_told:
-            self.is_told = True  # a second signal could damage the engine's images
-            self.building.terminate()
-        super().end_all()
+    def end(self, name: str, process: subprocess.Popen) -> None:
+        try:
+            self.call("rm", "--force", name)
+        except TimeoutError:  # the engine hangs
+            process.kill()
+        except OSError:  # the run has just ended, or has not begun
+            pass
 
 
-def find_engine(folder, starter, stopped) -> Engine:
-    """Return the first engine that runs, for the starter in this folder, with these files.
+def find_engine(folder: Path, packages: str) -> Engine:
+    """Return the first engine that runs, for the starter in this folder.
 
-    Raises an OSError without one.
+    Raises an OSError that names all if none does.
     """
-    error = OSError(0, "it is not installed; tests/starter/README.md says how", "podman")
-    for program in SIZES:
-        if shutil.which(program):
-            try:
-                return Engine(folder, starter, stopped, program, *size_of(program))
-            except OSError as found:
-                error = found
-    raise error
+    problems = []
+    for program in ENGINES:
+        try:
+            return Engine(folder, program, packages)
+        except OSError as error:
+            problems.append(f"{program} {error.strerror}")
+    problems.append("on macOS and Windows, `podman machine start` starts podman")
+    raise OSError(0, "; ".join(problems), "No containers")

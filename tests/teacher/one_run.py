@@ -1,75 +1,99 @@
-"""Grade one submission: `one_run.py < SUBMISSION.zip > grade.json`.
+"""Grade one submission by pytest, in a copy of the starter that has this file.
 
-The .zip has the files of the submission, by their paths in the project. The grade is what pytest
---grade-json writes or, without one, the end of what pytest prints. The folder `project` of the
-working directory is a copy of the starter with these files. This program imports nothing else.
+`one_run.py < SUBMISSION.tar` prints the result as JSON, with --gradescope as Gradescope reads it.
+The copy is the folder `project` in the working directory.
 """
 
-import os
+import ast
+import json
+import re
 import shutil
 import signal
 import subprocess
 import sys
-import zipfile
-from contextlib import suppress
-from io import BytesIO
+from importlib.util import decode_source
 from pathlib import Path
+from typing import Any, IO
 
 STARTER = Path(__file__).resolve().parents[2]
-PYTEST = (
-    "pytest --assert=plain -p no:cacheprovider -o faulthandler_timeout=20 --grade-json=grade.json"
-)
-SETTINGS = {
-    "COLUMNS": "100",
-    "OPENBLAS_NUM_THREADS": "1",  # or it takes memory for each core
-    "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
-    "PYTHONDONTWRITEBYTECODE": "1",
-}
-SECONDS = 300  # by the clock; in a container, a process has 60 of processor time
-LATE = 124  # the exit status after too many seconds; that of the command timeout
-MOST_BYTES = 1_000_000  # of a grade
-MOST_OUTPUT = 3000  # bytes of what pytest prints
+if __name__ == "__main__":
+    sys.path.insert(0, str(STARTER / "tests"))
+
+from grading.assignment import HONOR
+from teacher.submissions import choose, HANDOUT, unpack
+
+PYTEST = "-m pytest --assert=plain -p no:cacheprovider -o faulthandler_timeout=20 --grade-json"
+GRADE = Path("project", "grade.json")
+OUTPUT = Path("output.txt")
+MOST_LETTERS = 3000  # of the end of what pytest prints
+MOST_PROBLEMS = 20
+
+# The columns of the table, "text" for the student, and "is_final": nothing that ran beside it can
+# have changed it. Without a grade, some are not there.
+Result = dict[str, Any]
 
 
-def main(seconds=SECONDS) -> int:
-    """Print the grade; return the exit status of pytest as a shell does, LATE after these
-    seconds."""
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(LATE))  # this ends pytest, too
+def main() -> None:
+    """Print the result of what comes on stdin."""
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # this ends pytest, too
+    result = result_of(sys.stdin.buffer)
+    if "--gradescope" in sys.argv:
+        # https://gradescope-autograders.readthedocs.io/en/latest/specs/
+        output = "\n".join([*result["problems"], result["text"]])
+        result = {"score": result["points"], "output": output}
+    print(json.dumps(result))
+
+
+def result_of(submission: IO[bytes]) -> Result:
+    """Return the result of a submission, a .tar with its files."""
+    problems: list[str] = []
+    files = choose(unpack(submission, problems), problems)
     shutil.copytree(STARTER, "project", ignore=shutil.ignore_patterns(".*"))
-    with zipfile.ZipFile(BytesIO(sys.stdin.buffer.read())) as submission:
+    for place, content in files.items():
+        path = Path("project", place)
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+        if not content.strip() and place in HANDOUT.values():
+            problems.append(f"{place} is empty")
         try:
-            submission.extractall("project")
-        except OSError as error:  # a file may be where another one needs a folder
-            print(f"The files cannot be written: {error}")
-            return 1
-    with open("output.txt", "w+b") as output:
-        status = LATE
-        with suppress(subprocess.TimeoutExpired):
-            status = subprocess.run(
-                [sys.executable, "-m", *PYTEST.split()],
-                cwd="project",
-                env=environment(),
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=output,
-                timeout=seconds,
-            ).returncode
-        output.seek(max(0, output.tell() - MOST_OUTPUT))
-        found = output.read()
-    grade = Path("project", "grade.json")
-    if grade.is_file():  # not a pipe, to which nobody may write
-        with open(grade, "rb") as file:
-            found = file.read(MOST_BYTES + 1)
-    sys.stdout.buffer.write(found)
-    return status if status >= 0 else 128 - status
+            ast.parse(decode_source(content), place)
+        except Exception as error:  # a SyntaxError, another encoding, or it is too deep
+            problems.append(f"{place} is not Python: {error}")
+    status = run_pytest()
+    try:
+        grade = json.loads(GRADE.read_bytes())
+    except (OSError, ValueError, RecursionError):  # a solution can have written it
+        problems.append(f"no grade: pytest ended with status {status}")
+        printed = OUTPUT.read_text(encoding="utf-8", errors="replace")
+        return without_grade(problems[-MOST_PROBLEMS:], printed[-MOST_LETTERS:])
+    for name in sorted({*re.findall(r"No module named '([\w.]+)", json.dumps(grade))}):
+        problems.append(f"no module {name}: a file is missing, or a package (--packages)")
+    points = {tier: counts["points"] for tier, counts in grade["tiers"].items()}
+    return {
+        "grade": grade["grade"] or "none",
+        "points": sum(points.values()) - points[HONOR],
+        **points,
+        "next": grade["next"],
+        "problems": problems[:MOST_PROBLEMS],
+        "text": "\n".join(grade["text"]),
+        "is_final": grade["final"] and status in (0, 1),
+    }
 
 
-def environment() -> dict[str, str]:
-    """Return the environment of pytest, without settings of Python and of pytest."""
-    kept = {name: os.environ[name] for name in os.environ if not name.startswith("PY")}
-    # If pytest is killed, its temporary files go with the working directory
-    return kept | SETTINGS | {"TMPDIR": os.getcwd()}
+def without_grade(problems: list[str], text: str = "") -> Result:
+    """Return the result of a run that has given no grade."""
+    return {"grade": "none", "points": 0, "problems": problems, "text": text}
+
+
+def run_pytest() -> int:
+    """Run pytest in the project; return its exit status."""
+    with open(OUTPUT, "wb") as output:
+        command = [sys.executable, *PYTEST.split(), GRADE.name]
+        nothing = subprocess.DEVNULL
+        return subprocess.run(
+            command, cwd="project", stdin=nothing, stdout=output, stderr=output
+        ).returncode
 
 
 if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:])))
+    main()

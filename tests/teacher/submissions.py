@@ -1,137 +1,216 @@
-"""The submissions of a class, in the forms in which course systems hand them out.
+"""The rule that finds the files of a submission: by the names that the handout gives them.
 
-A student has a folder, a .zip, or files among those of the others. Their names, as those of some
-folders, have what the system says of the student and of the upload before the file's own name.
+On the host, submissions_in and pack put together what each student has handed in, and open no
+archive. In the container, unpack and choose take the files out that count.
 """
 
 import re
-from collections import defaultdict
-from contextlib import suppress
-from pathlib import Path
+import tarfile
+import time
+import zipfile
+from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
+from io import BytesIO
+from pathlib import Path, PurePath, PurePosixPath
+from stat import S_ISLNK
+from typing import IO, NamedTuple
 
-import pandas as pd
+from grading.assignment import FUNCTIONS, HONOR
 
-from grading.limits import limited_memory
-from support.start.output import in_one_line
-from teacher.choice import ASSIGNED, select
-from teacher.entries import entries_of, SKIPPED
-from teacher.keys import keys_of, Student
+CONSTANTS = "support/constants.py"
+# The places of the files that count, by their names
+HANDOUT = {PurePosixPath(function.file).name: function.file for function in FUNCTIONS.values()}
+HANDOUT["visualize_double_cradle_run.py"] = "src/visualize_double_cradle_run.py"
+HANDOUT["constants.py"] = CONSTANTS
+REQUIRED = dict.fromkeys(role.file for role in FUNCTIONS.values() if role.tier != HONOR)
 
-ARCHIVES = (".zip", ".7z", ".bz2", ".gz", ".rar", ".tar", ".tgz", ".xz")
-MOST_MEMORY = 200  # MB to read a submission
-MOST_PROBLEMS = 8  # of a submission
-MOST_LETTERS = 200  # of a problem
-
-# Names with numbers: ann_12_345_swinging.py (Canvas: of the student, and of the upload), and
-# "Ann A_12_assignsubmission_file_swinging.py" (Moodle; its folders are called so, too). They are
-# read from their end, because a student can choose the beginning.
-WITH_NUMBERS = re.compile(
+# How course systems call a file. The first number counts: a student chooses the file's name.
+FORM = re.compile(
     r"""
-    (?P<student>.+) _ (?P<other>\d+) _
-    (?: assignsubmission_(?:file|onlinetext)_? | (?P<upload>\d+) _ (?=.))
-    (?P<file>.*)
-    """,
-    re.VERBOSE,
-)
-# With a time: "Project 4_ann_attempt_2026-11-25-13-14-00_swinging.py" (Blackboard), and
-# "12-345 - Ann A - Nov 25, 2026 114 PM - swinging.py" (Brightspace; or a folder).
-WITH_TIME = re.compile(
-    r"""
-    (?: (?P<other>.+?) (?:-\d+)? (?:_|\ -\ ))?
-    (?P<student>[^_]+?) (?:_attempt)? (?:_|\ -\ )
-    (?P<upload>
-        20\d\d (?:-\d\d){5}
-        | (?:[^\W\d]+\ \d+,? | \d+\.?\ [^\W\d]+\.?)\ 20\d\d\ \d{1,2}:?\d\d (?:\ [AP]M)?
+    (?P<name>.+?) (?:_LATE)? (?P<number>_\d+) _  # of the student
+    (?:
+        (?P<upload>\d{3,}) _            # Canvas: ann_12_345_swinging.py, ann_LATE_12_345_a.zip
+        | assignsubmission_ [a-z]+ _?   # Moodle: "Ann A_12_assignsubmission_file_swinging.py"
     )
-    (?:_|\ -\ )? (?P<file>.*)
+    (?P<file>.*)  # Moodle's folders end before it
     """,
     re.VERBOSE,
 )
-# With nothing but the student's name: "Ann A - swinging.py", "Ann A_swinging.py".
-STEMS = "|".join(name.removesuffix(".py") for name in ASSIGNED)
-WITH_NAME = re.compile(
-    rf"(?P<student>.+?)(?P<other>)(?P<upload>)(?: - |_(?={STEMS}))(?P<file>.+\.py)"
-)
-CLOCK = r"(?<=\d):?(?=\d\d( [AP]M)?$)"  # what is between hours and minutes
+ARCHIVE = re.compile(r"(\.tar)?\.(zip|tar|tgz|gz|bz2|xz|7z|rar)$", re.IGNORECASE)
+AGAIN = re.compile(r" ?[-(](\d{1,9})\)?(?=\.py$)")  # swinging-1.py, "swinging (1).py"
+OF_OTHERS = {"__MACOSX", "site-packages"}  # folders without a student's work
+OF_STARTER = {"support", "tests"}  # folders in which only constants.py is a student's
+
+LARGEST = 1_000_000  # bytes of a Python file
+MOST_BYTES = 20_000_000  # of all Python files
 
 
-def submissions_in(folder) -> tuple[dict[str, list[tuple[str, Path]]], list[str]]:
-    """Return the submissions by the student's key, and the names of the rest.
+def submissions_in(folder: Path) -> tuple[dict[str, list[Path]], list[str]]:
+    """Return what each student has handed in, and the names of the rest.
 
-    A submission is a list of pairs, the newest upload last: ("", a folder or an archive), or (name,
-    a file). No link is followed. Raises a ValueError with one line if the folder is a project, or
-    has no submission; an OSError if it cannot be read.
+    Raises a ValueError with one line if the folder is no class, an OSError if it cannot be read.
     """
-    folder = Path(folder)
-    found = defaultdict(list)
-    others = []
-    for path in sorted(folder.iterdir()):
-        if path.name in SKIPPED or path.name.startswith("."):
-            continue
-        student, file, upload = owner_of(path)
-        if student is None:
-            others.append(path.name)
+    submissions = defaultdict(list)
+    rest = []
+    paths = sorted(folder.iterdir()) if folder.is_dir() else []
+    for path in filter(can_count, paths):
+        student, _ = owner_of(path)
+        if student:
+            submissions[student].append(path)
         else:
-            found[student].append((upload, file, path))
-    if not found or has_assigned(folder) or has_assigned(folder / "src"):
+            rest.append(path.name)
+    is_project = "src" in submissions or not HANDOUT.keys().isdisjoint(rest)
+    if is_project or not submissions:
         raise ValueError(
             f"found '{folder}', allowed is a folder with a folder or a .zip for each student, or "
             "with files like ann_12_345_swinging.py"
         )
-    keys = keys_of(found)
-    submissions = {}
-    for student in sorted(found, key=keys.get):
-        submissions[keys[student]] = [(file, path) for _, file, path in sorted(found[student])]
-    return submissions, others
+    return submissions, rest
 
 
-def has_assigned(folder) -> bool:
-    """Return whether a file of the assignment is in a folder."""
-    return any((folder / name).is_file() for name in ASSIGNED)
-
-
-def owner_of(path) -> tuple[Student | None, str, str]:
-    """Return who has handed in a path (None if nobody has), the file's own name, and the time.
-
-    The name is "" for a folder and for an archive. The time is as time_of returns it.
-    """
-    name = path.name
-    if path.is_symlink():
-        return None, "", ""
-    for pattern in (WITH_TIME, WITH_NUMBERS, WITH_NAME):
-        found = pattern.fullmatch(name)
-        if found and not (found["file"] and path.is_dir()):
-            student = found["student"].removesuffix("_LATE")
-            full = f"{student}_{found['other']}"
-            return Student(student, full), found["file"], time_of(found["upload"] or "")
+def owner_of(path: Path) -> tuple[str, str]:
+    """Return the student who has handed in a path, or "", and its own name, "" for a folder."""
+    form = FORM.fullmatch(path.name)
+    archive = ARCHIVE.search(path.name)
+    if path.is_symlink():  # it could lead to another student's files
+        return "", ""
+    if form and not (form["upload"] and path.is_dir()):  # Canvas gives no folders
+        return form["name"] + form["number"], form["file"]
     if path.is_dir():
-        return Student(name, name), "", ""
-    if path.suffix.lower() in ARCHIVES:
-        return Student(path.stem, name), "", ""
-    return None, "", ""
+        return path.name, ""
+    if archive:
+        return path.name[: archive.start()], path.name
+    return "", ""
 
 
-def time_of(upload) -> str:
-    """Return a text that is greater for a later upload."""
-    with suppress(Exception):  # it is no time with a month
-        return f"{pd.to_datetime(re.sub(CLOCK, ':', upload))}"
-    return upload
+def can_count(path: PurePath) -> bool:
+    """Return whether no part of a path is hidden, or a folder of others."""
+    hidden = [part for part in path.parts if part.startswith(".") and part != ".."]
+    return not hidden and OF_OTHERS.isdisjoint(path.parts)
 
 
-@limited_memory(MOST_MEMORY)
-def read_submission(paths, starter) -> tuple[dict[str, bytes], list[str]]:
-    """Return the files of a submission, by their paths in the project, and the problems with it.
+def pack(paths: list[Path], out: IO[bytes]) -> None:
+    """Write all files as a .tar; a link stays a link. Raises an OSError if this fails."""
+    with tarfile.open(fileobj=out, mode="w|") as tar:
+        for path in paths:
+            _, name = owner_of(path)
+            tar.add(path, name or ".", filter=packed)
 
-    starter has the starter's files in the same form. Each problem is a sentence.
+
+def packed(entry: tarfile.TarInfo) -> tarfile.TarInfo | None:
+    """Return an entry of the .tar, or None if it is left out."""
+    return entry if can_count(PurePosixPath(entry.name)) else None
+
+
+class Member(NamedTuple):
+    """A file in an archive. It must be read before the next one."""
+
+    name: str
+    size: int  # bytes
+    modified: tuple[int, ...]  # the time, from the year to the second
+    content: IO[bytes] | None  # None for a link or a device
+
+
+def members_of_tar(stream: IO[bytes]) -> Iterator[Member]:
+    """Yield the files of a .tar, also of a .tar.gz."""
+    with tarfile.open(fileobj=stream, mode="r|*") as tar:
+        for info in tar:
+            if not info.isdir():
+                content = tar.extractfile(info) if info.isfile() else None
+                yield Member(info.name, info.size, time.localtime(info.mtime)[:6], content)
+
+
+def members_of_zip(stream: IO[bytes]) -> Iterator[Member]:
+    """Yield the Python files of a .zip: the others need not be unpacked."""
+    with zipfile.ZipFile(stream) as archive:
+        for info in archive.infolist():
+            if info.filename.endswith(".py"):
+                is_link = S_ISLNK(info.external_attr >> 16)
+                content = None if is_link else archive.open(info)
+                yield Member(info.filename, info.file_size, info.date_time, content)
+
+
+class File(NamedTuple):
+    """A Python file that was handed in."""
+
+    path: PurePosixPath
+    name: str  # without the number of a file that was handed in again
+    modified: tuple[int, ...]
+    content: bytes
+
+
+def unpack(stream: IO[bytes], problems: list[str], archive: str = "") -> Iterator[File]:
+    """Yield the Python files in what pack has written, and in its archives; name problems.
+
+    archive is the name of such an archive.
     """
-    problems: list[str] = []
-    files: dict[str, bytes] = {}
+    is_zip = archive.lower().endswith(".zip")
+    size = 0
     try:
-        entries = entries_of(paths, problems)
-        files = select(entries, starter, problems)
-    except Exception as error:  # also too deep a folder; the class goes on
-        why = getattr(error, "strerror", None) or f"{error}" or type(error).__name__
-        problems.append(f"cannot be read: {why}")
-    if len(problems) > MOST_PROBLEMS:
-        problems[MOST_PROBLEMS:] = ["and more"]
-    return files, [in_one_line(problem[:MOST_LETTERS]) for problem in problems]
+        for member in members_of_zip(stream) if is_zip else members_of_tar(stream):
+            # Some programs of Windows write other separators
+            path = PurePosixPath(archive, member.name.replace("\\", "/"))
+            is_python = path.suffix == ".py"
+            is_archive = ARCHIVE.search(path.name) and not archive
+            if not can_count(path) or not (is_python or is_archive):
+                continue
+            if member.content is None:
+                problems.append(f"left out {path}: it is a link or a device")
+            elif ".." in path.parts:
+                problems.append(f"left out {path}: it is outside of the folder")
+            elif is_archive:
+                yield from unpack(BytesIO(member.content.read()), problems, path.name)
+            elif member.size > LARGEST:
+                problems.append(f"left out {path}: it has more than {LARGEST:,} bytes")
+            else:
+                size += member.size
+                if size > MOST_BYTES:
+                    raise ValueError(f"its Python files have more than {MOST_BYTES:,} bytes")
+                name = AGAIN.sub("", path.name)
+                yield File(path, name, member.modified, member.content.read())
+    except Exception as error:  # it can be damaged in many ways
+        problems.append(f"{archive or 'the rest'} cannot be read: {error}")
+
+
+def choose(files: Iterable[File], problems: list[str]) -> dict[str, bytes]:
+    """Return the content of the files that count, by their places in the project; name problems.
+
+    These are the handout's, and the others of the folder in which most of these are.
+    """
+    chosen: dict[str, File] = {}
+    own = [file for file in sorted(files, key=age_of) if is_own(file)]
+    for file in own:
+        place = HANDOUT.get(file.name)
+        if place and (place != CONSTANTS or b"NC_FP" in file.content):  # or it is one's own file
+            take(chosen, place, file, problems)
+    problems += [f"{place} is missing" for place in REQUIRED if place not in chosen]
+    folders = Counter(file.path.parent for file in chosen.values())
+    for folder, _ in folders.most_common(1):
+        for file in own:
+            if file.path.is_relative_to(folder):
+                place = f"src/{file.path.relative_to(folder).with_name(file.name)}"
+                if place not in HANDOUT.values():
+                    take(chosen, place, file, problems)
+    return {place: file.content for place, file in chosen.items()}
+
+
+def age_of(file: File) -> tuple[int, tuple[int, ...]]:
+    """Return what is greater for a newer file: the number in its name, and its date."""
+    again = AGAIN.search(file.path.name)
+    number = int(again[1]) if again else 0
+    return number, file.modified
+
+
+def is_own(file: File) -> bool:
+    """Return whether a file can be the student's own, not the starter's."""
+    if file.name == "constants.py":
+        return True
+    return file.name != "pendulum.py" and OF_STARTER.isdisjoint(file.path.parts)
+
+
+def take(chosen: dict[str, File], place: str, file: File, problems: list[str]) -> None:
+    """Take a file for a place of the project; name an older one that it replaces."""
+    older = chosen.get(place, file)
+    if older.content != file.content:
+        problems.append(f"took {file.path} for {place}, left {older.path}")
+    chosen[place] = file

@@ -26,7 +26,7 @@ class Attendance:
         self.last_look = clock()
 
     def wait(self, seconds: float) -> None:
-        """Wait for a page for so many seconds; of two deadlines, the later one counts."""
+        """Wait for a page for these seconds. The later of two deadlines counts."""
         deadline = self.clock() + seconds
         if deadline >= self.deadline:
             self.seconds = seconds
@@ -46,7 +46,7 @@ class Attendance:
     def look(self) -> bool:
         """Return whether a tab is there, or may still come.
 
-        After a standstill, the time begins anew: a page could not come meanwhile.
+        After a standstill, the time begins again, because no page could come during it.
         """
         now = self.clock()
         if now - self.last_look > STANDSTILL:

@@ -43,7 +43,7 @@ class Tab:
         self.follows = follows
         self.speaks = speaks
         self.has = 0  # the number of the last delivery that it has got
-        self.room = ROOM  # for so many messages more
+        self.room = ROOM  # for messages that may still be sent
 
     def update(self, changes: Changes, at_once: bool = False) -> None:
         """Send all that the tab lacks as soon as there is room, or at once."""
