@@ -187,7 +187,7 @@ def test_a_run_plays_in_a_strict_course_page_without_an_address(page, run_file):
 
 @both_browsers
 def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(page, tmp_path):
-    """It waits for your answers, whatever you do, and forgets them when you restart it."""
+    """It waits for your answers. When you restart it, it forgets them."""
     file = tmp_path / "run.html"
     experiment = ROOT / "support" / "experiments" / "single" / "02_two_bobs.toml"
     options = "--html", file, "--experiment", experiment, "--seconds", "1.5"

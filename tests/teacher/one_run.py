@@ -34,7 +34,7 @@ Result = dict[str, Any]
 
 
 def main() -> None:
-    """Print the result of what comes on stdin."""
+    """Read a submission on stdin, and print its result."""
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # this ends pytest, too
     result = result_of(sys.stdin.buffer)
     if "--gradescope" in sys.argv:

@@ -90,7 +90,7 @@ def can_count(path: PurePath) -> bool:
 
 
 def pack(paths: list[Path], out: IO[bytes]) -> None:
-    """Write all files as a .tar; a link stays a link. Raises an OSError if this fails."""
+    """Write what can count as a .tar; a link stays a link. Raises an OSError if this fails."""
     with tarfile.open(fileobj=out, mode="w|") as tar:
         for path in paths:
             _, name = owner_of(path)
@@ -98,8 +98,14 @@ def pack(paths: list[Path], out: IO[bytes]) -> None:
 
 
 def packed(entry: tarfile.TarInfo) -> tarfile.TarInfo | None:
-    """Return an entry of the .tar, or None if it is left out."""
-    return entry if can_count(PurePosixPath(entry.name)) else None
+    """Return an entry of the .tar, or None if it is left out: a video can have a gigabyte."""
+    path = PurePosixPath(entry.name)
+    return entry if can_count(path) and (entry.isdir() or is_read(path)) else None
+
+
+def is_read(path: PurePosixPath) -> bool:
+    """Return whether a file is a Python file or an archive."""
+    return path.suffix == ".py" or bool(ARCHIVE.search(path.name))
 
 
 class Member(NamedTuple):
@@ -150,9 +156,8 @@ def unpack(stream: IO[bytes], problems: list[str], archive: str = "") -> Iterato
         for member in members_of_zip(stream) if is_zip else members_of_tar(stream):
             # Some programs of Windows write other separators
             path = PurePosixPath(archive, member.name.replace("\\", "/"))
-            is_python = path.suffix == ".py"
-            is_archive = ARCHIVE.search(path.name) and not archive
-            if not can_count(path) or not (is_python or is_archive):
+            is_archive = path.suffix != ".py"
+            if not can_count(path) or not is_read(path) or (is_archive and archive):
                 continue
             if member.content is None:
                 problems.append(f"left out {path}: it is a link or a device")
