@@ -1,7 +1,9 @@
 """What the server of the page answers at its port: to whom, and at which path."""
 
+import gc
 import json
 import socket
+import time
 from importlib.machinery import PathFinder
 from pathlib import Path
 from types import SimpleNamespace
@@ -119,6 +121,18 @@ def test_a_tab_that_would_fill_the_memory_is_cut_off(site):
         size = (10_000_000).to_bytes(8, "big")
         tab.connection.sock.sendall(b"\x81\xff" + size + bytes(4))
         tab.answer.fp.read()  # until the end
+
+
+def test_an_end_at_once_after_a_message_is_quiet(monkeypatch, recwarn):
+    monkeypatch.setattr(server, "FAREWELL", 0)
+    ended = server.Server(listen("127.0.0.1", 0), {"command": "", "csv": ""})
+    address = urlsplit(ended.address())
+    tab = Tab(SimpleNamespace(port=address.port, query=address.query))
+    ended.loop.call_soon_threadsafe(time.sleep, 0.05)  # so all else comes in one turn
+    ended.close()
+    tab.connection.close()
+    gc.collect()
+    assert [str(warning.message) for warning in recwarn.list] == []
 
 
 def test_an_address_that_the_page_cannot_have_is_named_and_a_port_is_free_at_the_end():

@@ -92,6 +92,7 @@ class Server:
         self.loop.call_soon(server.add_socket, self.listener)
         self.loop.call_soon(self.look)
         self.loop.run_forever()
+        self.loop.run_until_complete(asyncio.sleep(0))  # Tornado warns of a message not begun
         self.listener.close()
         self.loop.close()
 

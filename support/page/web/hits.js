@@ -10,7 +10,7 @@ show("hits", hits => {
   one(".hits > div").scrollTop = 0; // the end: style.css turns it over
   // A screen reader hears the headings and the hit of now, not the whole table.
   const cells = find(".hits:has(.now) th, .now td");
-  one(".summary").textContent = cells.map(cell => cell.textContent).join(" ");
+  if (cells.length) one(".summary").textContent = cells.map(cell => cell.textContent).join(" ");
 });
 
 function makeHit({ call, bobs, now }) {
