@@ -5,7 +5,7 @@ import globals from "globals";
 export default [
   js.configs.recommended,
   {
-    files: ["support/page/web/*.js", "tests/project/*.js"],
+    files: ["support/page/web/*.js", "tests/project/page/*.js"],
     languageOptions: { globals: globals.browser },
     rules: {
       "no-restricted-syntax": ["error", {

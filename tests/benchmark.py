@@ -21,7 +21,8 @@ from statistics import median
 if __name__ == "__main__":
     root = Path(__file__).resolve().parents[1]
     # So that Python finds the imports below
-    sys.path[:0] = str(root), str(root / "tests" / "project")
+    project = root / "tests" / "project"
+    sys.path[:0] = map(str, (root, project, project / "cradle", project / "page"))
 
 import pymunk
 import vpython

@@ -1,6 +1,6 @@
 """The fast path: many ticks in one call, on plain numbers, while the functions are as shipped.
 
-The result is that of single ticks, to the last bit: tests/project/test_many_ticks.py compares them.
+The result is that of single ticks, to the last bit (tests/project/cradle/test_many_ticks.py).
 """
 
 import linecache

@@ -1,30 +1,17 @@
-"""What the project's tests share.
-
-They meet VPython itself in other processes, and in real browsers.
-"""
+"""What the project's tests share."""
 
 import os
-import shutil
 import signal
-import subprocess
-import sys
 from functools import partial
-from types import SimpleNamespace
-from unittest.mock import Mock
 
 import pytest
 from graded import solve  # noqa: F401  a fixture
-from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
-from programs import copy_project, needs_vpython, PROGRAM
-from rig import Rig
-from shared_page import file, open_page, shared, whole  # noqa: F401  fixtures
+from programs import copy_project, PROGRAM
 from students import made, MAKE, solved, starter  # noqa: F401  fixtures
 from vpython import scene
-from whole_cradles import FIVE_CSV, go_on, make_swing, PROGRAMS
+from whole_cradles import FIVE_CSV, make_swing, PROGRAMS
 
-from grading.cradles import MIXED_CSV
 from support import pendulum
-from support.page.show_cradle import show
 from support.start.options import PORT_VARIABLE
 
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
@@ -34,20 +21,6 @@ for name in ("SIGHUP", "SIGINT"):
     number = getattr(signal, name, None)
     if number and signal.getsignal(number) == signal.SIG_IGN:
         signal.signal(number, lambda *_: None)
-
-
-def pytest_itemcollected(item):
-    """Mark the tests that open a page; the program of a page needs VPython, and gets signals.
-
-    With --dist loadgroup, one process has Firefox, and one process the shared page of a file.
-    """
-    if {"page", "shared"}.intersection(item.fixturenames):
-        for mark in (pytest.mark.browser, *needs_vpython):
-            item.add_marker(mark)
-    if "firefox" in item.fixturenames or "[firefox]" in item.name:
-        item.add_marker(pytest.mark.xdist_group("firefox"))
-    elif "shared" in item.fixturenames:
-        item.add_marker(pytest.mark.xdist_group(item.path.name))
 
 
 @pytest.fixture(autouse=True)
@@ -101,90 +74,3 @@ def write(tmp_path, monkeypatch):
         path.write_text(text.replace(f"    {last}\n", f"    {last}\n    {line}\n"))
 
     return write
-
-
-@pytest.fixture
-def rig(csv):
-    """A viewer of five bobs, on the stand-in."""
-    return Rig(csv)
-
-
-@pytest.fixture
-def start(monkeypatch, csv):
-    """A function that starts a program for three unequal pendula.
-
-    It takes the kind of the cradle, and options; it returns where its server listens, whether it
-    has opened a browser, and the viewer.
-    """
-    csv.write_text(MIXED_CSV)
-    monkeypatch.chdir(csv.parent)
-    server = Mock()
-    server.listener.getsockname.return_value = ["127.0.0.1"]
-    listen = Mock()
-    run = Mock()
-    module = SimpleNamespace(Server=lambda *_: server)
-    monkeypatch.setitem(sys.modules, "support.page.server.server", module)
-    monkeypatch.setattr("support.page.server.port.listen", listen)
-    monkeypatch.setattr("support.page.show_cradle.run", run)
-
-    def start(kind, line):
-        monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *line.split()])
-        monkeypatch.setattr("__main__.__file__", str(PROGRAMS[kind]), raising=False)
-        show()
-        server.close.assert_called()
-        program, viewer = run.call_args.args
-        assert program == PROGRAMS[kind]
-        go_on(viewer)
-        place = listen.call_args.args
-        return SimpleNamespace(place=place, browser=server.browser_start.open.called, viewer=viewer)
-
-    return start
-
-
-@pytest.fixture(scope="session")
-def driver():
-    with pytest.importorskip("playwright.sync_api").sync_playwright() as driver:
-        yield driver
-
-
-@pytest.fixture(scope="session")
-def chromium(driver):
-    if CHROMIUM is None:
-        pytest.skip("Chromium is not installed")
-    browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
-    yield browser
-    browser.close()
-
-
-@pytest.fixture(scope="session")
-def firefox(driver):
-    """Firefox on a screen that is only in memory: without any screen it has no WebGL."""
-    if FIREFOX is None or shutil.which("Xvfb") is None:
-        pytest.skip("Firefox or Xvfb is not installed")
-    command = ["Xvfb", "-displayfd", "1"]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
-    with subprocess.Popen(command, **pipes) as screen:
-        try:
-            browser = driver.firefox.launch(
-                channel="moz-firefox",
-                executable_path=FIREFOX,
-                headless=False,
-                env={**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"},
-            )
-            yield browser
-            browser.close()
-        except Exception as error:
-            # Playwright may not speak with this version, as 1.60 does not with 140.
-            is_unknown = "unknown command" in str(error)
-            if not is_unknown or "CI" in os.environ:
-                raise
-            pytest.skip("Playwright does not know this version of Firefox")
-        finally:
-            screen.terminate()
-
-
-@pytest.fixture
-def page(request):
-    """A new tab in Chromium, or in the browser that a test names in its parameter."""
-    with new_page(request.getfixturevalue(getattr(request, "param", "chromium"))) as page:
-        yield page

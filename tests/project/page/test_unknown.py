@@ -3,8 +3,14 @@
 import json
 import sys
 
+import pages
 import pytest
+from pages import (
+    press,
+    violations,
+)
 from rig import Rig
+from shared_page import wait_for_text
 from students import put_files
 from whole_cradles import PERIOD
 
@@ -138,3 +144,12 @@ def test_lines_and_recorded_data_do_not_show_it(tmp_path, monkeypatch, capsys):
     shown = capsys.readouterr().out
     assert "energy" not in shown
     assert "0.00   -45.0     0.0     0.0\n" in shown
+
+
+def test_a_value_for_a_hidden_mass_is_checked(shared):
+    pages.choose(shared, "An unknown mass")
+    value = shared.get_by_label("mass of bob 1 =")
+    value.fill("2.7")
+    press(shared, "Check")
+    wait_for_text(shared, "Bob 2 gets the momentum that bob 1 loses")
+    assert violations(shared) == {}

@@ -1,14 +1,16 @@
-"""What stops saved code is named on the open page, and the next save goes on.
+"""A program with a page: its options, what a save does, and what stops saved code."""
 
-test_stages.py has what a save shows. These tests share one page, and save change after change.
-"""
+import signal
 
 import programs
 import pytest
-from pages import new_page, open_cradle, press, readout, wait_for_moves
-from programs import wait_until
-from students import change
+from pages import bob_angles, new_page, open_cradle, press, readout, wait_for_cradle, wait_for_moves
+from programs import call, end, first_lines, running, wait_until
+from students import change, NO_CRADLE, STAGES, write_next, write_tiers
 from whole_cradles import FIVE_CSV
+
+from support.pendulum import outwards_to_angle
+from support.start.mistake import TYPE_PYTEST
 
 pytestmark = [
     pytest.mark.browser,
@@ -111,3 +113,70 @@ def test_a_loop_that_catches_its_end_ends_all_the_same(opened):
     press(opened.page, "Restart")
     wait_until(lambda: readout(opened.page, "t") < 1)
     opened.mend()
+
+
+def test_a_program_with_a_mistake_ends_with_its_page_and_the_students_line(page, program):
+    change(program.with_name("swinging.py"), "    omega_new =", "    omegaa\n    omega_new =")
+    with running(program) as process:
+        page.goto(first_lines(process))
+        page.get_by_text("Mend it, and save the file").wait_for()
+        page.close()
+        status, _, stderr = end(process)
+    assert status == 1
+    *_, line, error, more = stderr.splitlines()
+    assert line.strip() == "omegaa"
+    assert error.startswith("NameError: ")
+    assert more == TYPE_PYTEST
+
+
+def test_in_one_open_page_the_cradle_grows_with_each_save(starter, page):
+    with running(starter / RUN, folder=starter) as process:
+        page.goto(first_lines(process))
+        unwritten = f"{NO_CRADLE}{write_next(starter, 'extract_and_convert')}"
+        remark = page.get_by_text(unwritten)
+        remark.wait_for()
+        for tier, stage, bobs in [("D", "D", 5), ("C", "DC", 5), ("B", "DCB", 2), ("A", "DCBA", 5)]:
+            write_tiers(starter, tier)
+            remark.wait_for(state="hidden")
+            wait_for_cradle(page, bobs)
+            function, sight, bob, angle = STAGES[stage]
+            top = pytest.approx(angle, abs=10)
+            wait_until(lambda bob=bob, top=top: bob_angles(page)[bob] == top)
+            if function:
+                remark = page.get_by_text(f"{write_next(starter, function)} {sight}")
+                remark.wait_for()
+        process.send_signal(signal.SIGINT)
+        assert end(process) == (0, f"{unwritten}\n", "")
+
+
+def test_a_program_does_as_the_options_say(start):
+    line = "--angle 25 --phi=-12.5 --lift 2 --host 0.0.0.0 --port 8000 --no-browser"
+    page = start("double", line)
+    assert page.place == ("0.0.0.0", 8000)
+    assert not page.browser
+    state = page.viewer.state()
+    assert state["title"] == "Newton's double cradle"
+    assert state["remark"] == ""
+    assert page.viewer.cradle.values("theta") == [outwards_to_angle(25)] * 2 + [0]
+    assert page.viewer.cradle.values("phi") == [outwards_to_angle(-12.5)] * 2 + [0]
+
+
+def test_a_program_of_single_pendula_has_one_angle_and_ghosts(start, tmp_path):
+    ghosts = tmp_path / "film.csv"
+    ghosts.write_text("t,theta_1\n0,1\n")
+    page = start("single", f"--angle 20 --ghosts {ghosts}")
+    assert page.viewer.cradle.values("theta") == [outwards_to_angle(20), 0, 0]
+    assert page.viewer.ghost_file.name == "film.csv"
+
+
+@pytest.mark.parametrize(
+    ("line", "message"),
+    [
+        ("--lift 4", "--lift: found '4', allowed is at most 3, "),
+        ("--ghosts no.csv", "no.csv: cannot be read: "),
+    ],
+)
+def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys, line, message):
+    status, stdout, stderr = call(lambda: start("single", line), capsys)
+    assert (status, stdout, stderr.count("\n")) == (2, "", 1)
+    assert stderr.startswith(message)

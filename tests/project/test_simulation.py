@@ -1,11 +1,6 @@
 """The loop of a program: is_running, or VPython's rate in its place; and bare VPython."""
 
-import socket
-
 import pytest
-from pages import wait_for_throw
-from programs import end, running, wait_until
-from students import change
 
 from support import simulation
 
@@ -64,25 +59,3 @@ def test_without_a_player_is_running_says_what_it_needs_and_rate_does_not_wait()
     simulation.rate(1e-9)
     with pytest.raises(RuntimeError, match=r"^is_running needs a program: `import begin_page` "):
         simulation.is_running([])
-
-
-def test_with_rate_the_program_throws_the_last_bob_out_on_bare_vpython(page, program):
-    """As README says it; until the tab is closed."""
-    change(program, "import begin_page", "import begin")
-    change(program, "from vpython import mag", "from vpython import mag, rate")
-    change(program, "while is_running(pend_list):", "while True:\n        rate(1 / DT)")
-    with socket.create_server(("localhost", 0)) as server:
-        _, port = server.getsockname()
-    with running(program, VPYTHON_HTTP_PORT=str(port)) as process:
-        wait_until(lambda: is_open(port))
-        page.goto(f"http://localhost:{port}")
-        wait_for_throw(page)
-        page.close()
-        status, stdout, _ = end(process)  # VPython's own server may print an error
-        assert (status, stdout) == (0, "")
-
-
-def is_open(port):
-    """Return whether a server listens at this port."""
-    with socket.socket() as client:
-        return client.connect_ex(("localhost", port)) == 0

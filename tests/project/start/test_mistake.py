@@ -1,10 +1,10 @@
-"""A mistake in your functions is named in its place; test_stages.py runs them as they are."""
+"""A mistake in your functions is named in its place."""
 
 import re
 from pathlib import Path
 
 import pytest
-from programs import copy_project, end, first_lines, python, running
+from programs import copy_project, python
 from students import change
 from whole_cradles import FIVE_CSV
 
@@ -97,16 +97,6 @@ def test_a_mistake_of_the_project_is_reported_in_full(project):
     assert done.returncode == 1
     assert "players.py" in done.stderr
     assert "ZeroDivisionError" in done.stderr
-
-
-def test_a_program_with_a_mistake_ends_with_its_page(page, project):
-    change(*MISTAKES["late"][:3])
-    with running(project / VISUALIZE_FILE) as process:
-        page.goto(first_lines(process))
-        page.get_by_text("Mend it, and save the file").wait_for()
-        page.close()
-        status, _, stderr = end(process)
-    check_end(status, stderr, "late")
 
 
 def test_a_file_that_python_cannot_read_is_reported_with_its_own_place(tmp_path, capsys):

@@ -1,4 +1,4 @@
-"""A function that does not return is named, and only that one; test_saved_code.py has the page."""
+"""A function that does not return is named, and only that one; test_show_cradle.py has the page."""
 
 from types import SimpleNamespace
 

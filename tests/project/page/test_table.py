@@ -1,6 +1,13 @@
 """The table of the pendula, and the CSV that it saves."""
 
+import pages
 import pytest
+from pages import (
+    pause,
+    press,
+    violations,
+)
+from programs import wait_until
 from rig import Rig
 from whole_cradles import FIVE_CSV
 
@@ -87,3 +94,21 @@ def test_a_write_to_csv_that_fails_is_told_and_the_cradle_swings_on(
     assert rig.state["saved_csv"]["mistake"].startswith(mistake)
     assert rig.time() > 0.2
     assert "theta" in rig.cradle.pend_list[0]
+
+
+def test_the_table_shows_theta_and_takes_a_mass_and_saves_a_csv(shared):
+    mass = shared.get_by_label("mass of pend_list[1]", exact=True)
+    shared.locator(".bobs summary").click()
+    pause(shared)
+    press(shared, "Restart")
+    theta = shared.locator(".pendula td:nth-child(4)").first
+    wait_until(lambda: theta.inner_text() == "-0.785398")
+    for text, message in (("-3", "Type a number from 0.001 to 1000."), ("2,5", "")):
+        mass.fill(text)
+        mass.press("Tab")
+        assert mass.evaluate("field => field.validationMessage") == message
+    wait_until(lambda: mass.input_value() == "2.5")
+    assert violations(shared) == {}
+    name, path = pages.saved(shared, "Save as CSV")
+    assert name == "My cradle.csv"
+    assert path.read_text().splitlines()[2] == "2.5,1.0,red,metal"

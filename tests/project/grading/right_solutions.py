@@ -2,7 +2,7 @@
 
 PLAIN has the body of each function of the handout, and of the program's block. RIGHT has other ways
 to write it: the body, or a pair (old text, new text) for its body in PLAIN. Add one, and
-tests/project/test_graded_suites.py covers it.
+test_suites.py covers it.
 """
 
 from grading.assignment import PROGRAM

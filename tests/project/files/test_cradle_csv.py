@@ -13,8 +13,7 @@ from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import extract_and_convert
 from support.constants import COLOR_MAP, TEXTURE_MAP
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import CradleCsv, file_for_pandas, read_cradle
-from support.page.cradle_settings import with_numbers
+from support.files.valid_cradle import CradleCsv, file_for_pandas, read_cradle, with_numbers
 
 
 def row(mass=1, e=1, color="red", texture="none"):

@@ -1,4 +1,4 @@
-"""A page that the tests of a file share, with all settings put back between them."""
+"""A page that tests share, with all settings put back between them."""
 
 import signal
 
@@ -8,14 +8,14 @@ import pytest
 from whole_cradles import FIVE_CSV
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def file(tmp_path_factory):
     """The CSV of the shared page."""
     project = programs.copy_project(tmp_path_factory.mktemp("shared"), FIVE_CSV)
     return project / "newton_cradle_pends.csv"
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def open_page(chromium, file):
     """A page with a touch screen; in the end, nothing more was printed than at the start."""
     program = file.parent / "src" / programs.PROGRAM.name
@@ -49,7 +49,8 @@ def shared(open_page, file):
     page.wait_for_function("isBack()")
     pages.press(page, "Run")
     pages.button(page, "Pause").wait_for()  # else the page may still say that it is paused
-    return page
+    yield page
+    page.evaluate("state.paused || send('pause')")  # other tests have the machine for themselves
 
 
 @pytest.fixture

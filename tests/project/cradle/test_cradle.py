@@ -3,7 +3,6 @@
 import re
 from collections import defaultdict
 from itertools import chain
-from math import inf
 
 import pytest
 from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, thetas
@@ -14,7 +13,6 @@ from support.constants import DOUBLE_DT, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
 from support.cradle.player import COPY_WRITTEN
-from support.page.scene.slow_hits import MOST, SlowHits
 from support.pendulum import BUFFER, outwards_to_angle
 from support.start.mistake import MistakeError
 
@@ -106,17 +104,6 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     away, apart = [2, 0, 0, 2], [0, 2, 2, 0]
     for hit, omegas in zip(hits, (away, away, apart, apart), strict=True):
         assert [pend["omega"] for pend in hit.before + hit.after] == omegas
-
-    # The page shows the calls as they were, all bobs as after each, and only the last of many
-    slow_hits = SlowHits(player.motion)
-    player.motion.fast_speed = -inf
-    slow_hits.add(hits)
-    assert [pend["omega"] for pend in slow_hits.shown_pendula()] == [0, 2, 0]
-    slow_hits.add(hits * 98)
-    slow_hits.leave()
-    *_, hit, _ = slow_hits.state()
-    assert hit["call"] == "395. handle_two_bobs(pend_list[2], pend2=pend_list[1], r_param=0.2)"
-    assert len(slow_hits.series) == MOST
 
 
 @pytest.mark.parametrize(

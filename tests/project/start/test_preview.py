@@ -1,26 +1,13 @@
 """A starter in which a student has written some functions: what its programs show and say."""
 
-import signal
-
 import pytest
-from pages import bob_angles, wait_for_cradle
-from programs import end, first_lines, python, running, slow_except, wait_until
-from students import change, write, write_tiers
+from programs import python, slow_except
+from students import change, NO_CRADLE, STAGES, write, write_next, write_tiers
 from whole_cradles import GOOD, HEADER
 
-from grading.assignment import FUNCTIONS, PROGRAM, SPECIAL, SWINGING, VISUALIZE_FILE
+from grading.assignment import PROGRAM, SPECIAL, SWINGING
 
 TERMINAL = "src/text_cradle_run.py"
-NO_CRADLE = "There is no cradle to see yet. "
-
-
-def write_next(starter, function) -> str:
-    """Return the sentence that names this function, which is not written yet."""
-    file = FUNCTIONS[function].file
-    source, stub, _ = (starter / file).read_text().partition(f'("{function} is not written yet")')
-    assert stub
-    line = 1 + source.count("\n")
-    return f"Write next: {function} ({file}, line {line})."
 
 
 @pytest.mark.parametrize(
@@ -38,24 +25,6 @@ def test_without_a_cradle_the_terminal_and_the_recorder_name_the_next_function(
         done = python(TERMINAL, *options, folder=starter)
         message = f"{NO_CRADLE}{write_next(starter, missing)}\n"
         assert (done.returncode, done.stdout, done.stderr) == (2, "", message)
-
-
-SWING = "With tier C, the pendula swing."
-COLLIDE = "With tier B, two bobs collide. If no pendulum swings, type pytest."
-TWO = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
-TICK = "Here, newton_cradle_tick moves all pendula. If it does not, type pytest."
-# The tiers and functions that are written, the next function, what one sees, and where a bob (an
-# index) is after half a second, in degrees
-STAGES = {
-    " extract_and_convert make_newton_cradle": ("uniform_mass_newton_cradle", SWING, 0, -45),
-    "D": ("angle_update", SWING, 0, -45),
-    "D full_swing_update": ("angle_update", SWING, 0, -45),
-    "DC": ("handle_collision", COLLIDE, 0, 44),
-    "DC handle_two_bobs": ("handle_collision", COLLIDE, 0, 44),
-    "DCB": ("newton_cradle_tick", TWO, 1, 44),
-    "DCB newton_cradle_tick": (PROGRAM, TICK, 4, 44),
-    "DCBA": ("", "", 4, 44),
-}
 
 
 @pytest.mark.parametrize("written", slow_except(["DCB"], STAGES))
@@ -127,23 +96,3 @@ def test_what_a_function_prints_is_printed_once(starter):
     )
     done = python(TERMINAL, "--seconds=0.1", folder=starter)
     assert done.stdout.splitlines().count("here") == 1
-
-
-def test_in_one_open_page_the_cradle_grows_with_each_save(starter, page):
-    with running(starter / VISUALIZE_FILE, folder=starter) as process:
-        page.goto(first_lines(process))
-        unwritten = f"{NO_CRADLE}{write_next(starter, 'extract_and_convert')}"
-        remark = page.get_by_text(unwritten)
-        remark.wait_for()
-        for tier, stage, bobs in [("D", "D", 5), ("C", "DC", 5), ("B", "DCB", 2), ("A", "DCBA", 5)]:
-            write_tiers(starter, tier)
-            remark.wait_for(state="hidden")
-            wait_for_cradle(page, bobs)
-            function, sight, bob, angle = STAGES[stage]
-            top = pytest.approx(angle, abs=10)
-            wait_until(lambda bob=bob, top=top: bob_angles(page)[bob] == top)
-            if function:
-                remark = page.get_by_text(f"{write_next(starter, function)} {sight}")
-                remark.wait_for()
-        process.send_signal(signal.SIGINT)
-        assert end(process) == (0, f"{unwritten}\n", "")

@@ -109,3 +109,33 @@ def change(file, before, after) -> None:
     text = file.read_text(encoding="utf-8")
     assert before in text
     file.write_text(text.replace(before, after), encoding="utf-8")
+
+
+NO_CRADLE = "There is no cradle to see yet. "
+
+
+def write_next(starter, function) -> str:
+    """Return the sentence that names this function, which is not written yet."""
+    file = FUNCTIONS[function].file
+    source, stub, _ = (starter / file).read_text().partition(f'("{function} is not written yet")')
+    assert stub
+    line = 1 + source.count("\n")
+    return f"Write next: {function} ({file}, line {line})."
+
+
+SEE_SWING = "With tier C, the pendula swing."
+SEE_COLLIDE = "With tier B, two bobs collide. If no pendulum swings, type pytest."
+SEE_TWO = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
+SEE_TICK = "Here, newton_cradle_tick moves all pendula. If it does not, type pytest."
+# The tiers and functions that are written, the next function, what one sees, and where a bob (an
+# index) is after half a second, in degrees
+STAGES = {
+    " extract_and_convert make_newton_cradle": ("uniform_mass_newton_cradle", SEE_SWING, 0, -45),
+    "D": ("angle_update", SEE_SWING, 0, -45),
+    "D full_swing_update": ("angle_update", SEE_SWING, 0, -45),
+    "DC": ("handle_collision", SEE_COLLIDE, 0, 44),
+    "DC handle_two_bobs": ("handle_collision", SEE_COLLIDE, 0, 44),
+    "DCB": ("newton_cradle_tick", SEE_TWO, 1, 44),
+    "DCB newton_cradle_tick": (PROGRAM, SEE_TICK, 4, 44),
+    "DCBA": ("", "", 4, 44),
+}

@@ -1,0 +1,138 @@
+"""What a page needs a program of its own for: its first picture, what disturbs it, its end."""
+
+import re
+import time
+
+import pages
+import programs
+import pytest
+from pages import (
+    bob_angles,
+    open_cradle,
+    pause,
+    press,
+    slide,
+    violations,
+    wait_for_angles,
+    wait_for_cradle,
+    wait_for_throw,
+)
+from programs import wait_until
+from shared_page import wait_for_text
+from whole_cradles import HEADER
+
+from support.constants import COLOR_MAP, R_PARAM
+from support.page.scene.scenery import TO_BASE
+
+
+@pytest.fixture
+def started(page, program):
+    """The process of a program whose cradle the page shows."""
+    with programs.running(program, "--angle", "45", folder=program.parents[1]) as process:
+        open_cradle(page, programs.first_lines(process))
+        yield process
+
+
+@pytest.mark.parametrize("page", ["firefox"], indirect=True)
+def test_in_firefox_the_cradle_swings_and_a_bob_is_dragged_until_the_tab_is_closed(page, started):
+    wait_for_throw(page)
+    picture = picture_of(page)
+    # And then the first one again
+    page.wait_for_function(f"positions()[0][0] < {-0.1 - R_PARAM / 4}")
+    assert picture_of(page) != picture
+
+    pause(page)
+    slide(page, "Bobs lifted", 0)
+    wait_for_angles(page, 0, 0, 0, 0, 0)
+    pages.drag(page, 3, 20, 40)
+    wait_until(lambda: bob_angles(page)[3] == pytest.approx(40, abs=1))
+    assert 38 < bob_angles(page)[4] < 50  # it was in the way
+    page.mouse.up()
+    page.keyboard.press("Space")
+    wait_until(lambda: bob_angles(page)[0] < -15)
+    page.close()
+    assert programs.end(started) == programs.CLOSED
+
+
+def test_the_first_picture_has_all_bobs_with_their_textures(page, program):
+    page.route("**/*.jpg", lambda route: (time.sleep(0.3), route.continue_()))
+    with programs.running(program) as process:
+        page.goto(programs.first_lines(process))
+        wait_until(lambda: page.evaluate("window.bobsAtFirst") == 5)
+
+
+def picture_of(page):
+    """Return a picture of the canvas (PNG)."""
+    pages.draw(page, True)
+    picture = page.locator("canvas").first.screenshot()
+    pages.draw(page, False)
+    return picture
+
+
+def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again(page, started):
+    context = "one('canvas').getContext('webgl2')"
+    driver = page.evaluate_handle(f"{context}.getExtension('WEBGL_lose_context')")
+    driver.evaluate("driver => driver.loseContext()")
+    message = page.get_by_text("The browser cannot draw the cradle now.")
+    message.wait_for()
+    driver.evaluate("driver => driver.restoreContext()")
+    message.wait_for(state="hidden")
+    wait_for_cradle(page)
+    picture = picture_of(page)
+    wait_until(lambda: picture_of(page) != picture)
+
+
+def test_the_canvas_says_what_it_shows_and_the_keys_are_listed(shared):
+    words = re.compile("Newton's cradle: t,.* s.*energy,.* %, .*bob . at .* degrees (left|right)")
+    shared.get_by_role("img", name=words).wait_for()
+    press(shared, "Keys")
+    wait_for_text(shared, "answer a question")
+    assert violations(shared) == {}
+
+
+@pytest.fixture
+def large(whole):
+    """The page in a large window, with its whole canvas."""
+    whole.set_viewport_size({"width": 1366, "height": 768})
+    wait_until(lambda: whole.evaluate("glowObjs[0].width") > 700)
+    return whole
+
+
+def lights(page, *circles):
+    """Return how light the picture is on these circles: each the x, the y and a radius (pixels)."""
+    return page.evaluate("circles => lights(circles)", circles)
+
+
+def test_each_color_stands_out_from_a_white_page_with_a_contrast_of_3(large, file):
+    """By its edge or its middle: a yellow bob has a dark edge."""
+    file.write_text(HEADER + "".join(f"1,1,0,0,{color},metal\n" for color in COLOR_MAP))
+    pages.wait_for_cradle(large, bobs=10)
+    slide(large, "Bobs lifted", 0)
+    wait_for_angles(large, *[0] * 10)
+    pages.draw(large, True)
+    large.wait_for_function("() => bobs().every(bob => bob.ready)")
+    middles = [pages.pixel(large, bob, 0) for bob in range(10)]
+    radius = (middles[1][0] - middles[0][0]) / 2.1
+    for color, middle in zip(COLOR_MAP, middles, strict=True):
+        darkest = min(lights(large, [*middle, 0.92 * radius], [*middle, 0.4 * radius]))
+        assert 1.05 / (darkest + 0.05) >= 3, color
+
+
+def test_a_bob_has_a_shadow_which_is_paler_when_it_is_lifted(large):
+    """The same wood is looked at with a bob above it, and without."""
+    pause(large)
+    pages.draw(large, True)
+    x, y = pages.axle(0)
+    below = y - TO_BASE * R_PARAM
+    places = [[*pages.plane_pixel(large, x - aside, below), 0] for aside in (0, R_PARAM / 2**0.5)]
+
+    def is_paler():
+        found = []
+        for lifted in (0, 1):
+            large.evaluate("lifted => set('lifted', lifted)", lifted)
+            wait_for_angles(large, -45 * lifted, 0, 0, 0, 0)
+            found.append(lights(large, *places))
+        (hanging, bare_aside), (bare, lifted) = found
+        return 1.5 * hanging / bare < lifted / bare_aside < 0.9
+
+    wait_until(is_paler)  # the shadows come after the first picture

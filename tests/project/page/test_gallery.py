@@ -1,0 +1,17 @@
+"""The pictures of the experiments, by which you choose one."""
+
+import pages
+from pages import slide
+from programs import wait_until
+
+
+def test_an_experiment_is_chosen_by_its_picture_which_says_that_it_was_changed(shared):
+    tile = shared.locator(".gallery button[title='Two bobs']")
+    pages.choose(shared, "Two bobs")
+    wait_until(lambda: tile.get_attribute("aria-pressed") == "true")
+    circles = tile.locator("circle").evaluate_all("found => found.map(e => +e.getAttribute('cx'))")
+    first, second, *hanging = circles
+    assert first < second < 0  # to the left of the first axle
+    assert hanging == sorted(hanging)
+    slide(shared, "Bobs lifted", 3)
+    shared.locator(".choose").get_by_text("Two bobs, changed").wait_for()
