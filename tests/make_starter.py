@@ -37,7 +37,7 @@ OWN = {
     ".vscode/extensions.json": "tests/starter/.vscode/extensions.json",
     ".vscode/launch.json": "tests/starter/.vscode/launch.json",
     ".vscode/settings.json": "tests/starter/.vscode/settings.json",
-    ".github/workflows/classroom.yml": "tests/teacher/classroom.yml",
+    ".github/workflows/classroom.yml": "tests/starter/classroom.yml",
 }
 FOLDERS = ["src", "support", "tests/grading", "tests/line_by_line"]
 LEFT_OUT = {

@@ -2,28 +2,41 @@
 
 import json
 import re
+import tomllib
 
+from packaging.requirements import Requirement
 from programs import ROOT
 
 from support.start.options import CLOSED_VARIABLE, PORT_VARIABLE
 
-
-def bounds(file, pattern=r"^([\w-]+)([^ \n]*)"):
-    """Return the bounds of each package in this file of the project."""
-    return dict(re.findall(pattern, (ROOT / file).read_text(), re.MULTILINE))
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 
 
-LISTED = bounds("support/requirements.txt")
+def listed(file):
+    """Return what each line of this file requires."""
+    lines = (line.partition("#")[0].strip() for line in (ROOT / file).read_text().splitlines())
+    return [Requirement(line) for line in lines if line]
 
 
-def test_the_lists_for_pip_have_what_pyproject_names_and_each_package_has_both_bounds():
-    named = bounds("pyproject.toml", r'^    "([\w-]+)([<>=][^"]+)",')
-    of_tests = bounds("tests/requirements.txt")
-    assert named.keys() == {"vpython", "pandas", "setuptools", "tornado", "autobahn", *of_tests}
-    assert named.items() <= {**LISTED, **of_tests}.items()
-    assert bounds("pyproject.toml", r'^dev = \["(\w+)(.*)"\]') == {"pytest": of_tests["pytest"]}
-    for versions in [*LISTED.values(), *of_tests.values()]:
-        assert re.fullmatch(r"==[\d.]+|>=[\d.]+,<[\d.]+", versions)
+def test_the_lock_has_one_exact_version_within_the_bounds_for_each_python():
+    lock = listed("support/requirements.txt")
+    for version in ("3.11", "3.12", "3.13", "3.14", "3.15"):
+        python = {"python_version": version}
+        locked = [line for line in lock if not line.marker or line.marker.evaluate(python)]
+        versions = {line.name: str(line.specifier) for line in locked}
+        assert len(versions) == len(locked)
+        assert all(re.fullmatch(r"==[\d.]+", exact) for exact in versions.values())
+        for line in map(Requirement, PROJECT["project"]["dependencies"]):
+            assert versions[line.name][2:] in line.specifier
+
+
+def test_pip_and_uv_install_the_same_for_the_tests():
+    of_tests = listed("tests/requirements.txt")
+    extra = PROJECT["project"]["optional-dependencies"]["tests"]
+    assert of_tests == [*map(Requirement, extra)]
+    [of_checks] = map(Requirement, PROJECT["dependency-groups"]["dev"])
+    assert of_checks in of_tests
+    assert all(len(line.specifier) == 2 for line in of_tests)  # both bounds
 
 
 def test_the_container_forwards_the_port_of_the_page_and_the_program_opens_no_browser():
