@@ -22,7 +22,7 @@ COUNT = "the number of bobs"
 # Times the largest angle: earlier hits may have left a smaller one to a pendulum that hangs.
 HANGS = 0.02
 
-# The names of what tells a hidden mass, or a hidden e, at once
+# Names of values that would give a hidden mass, or a hidden e, away at once
 TELLING = re.compile("energ|kinetic|potential|total|moment", re.IGNORECASE)
 
 
@@ -69,8 +69,8 @@ class Cradle:
         self.tick_function = names.get(self.tick_name, self.tick_name)
         # The names of the tick's module, in which it finds the function that collides
         self.tick_names = getattr(self.tick_function, "__globals__", names)
-        present = [name for name in self.collide_names if name in self.tick_names]
-        self.collide_name = (present or self.collide_names)[0]
+        found = [name for name in self.collide_names if name in self.tick_names]
+        self.collide_name = (found or self.collide_names)[0]
 
     def accept(self, pend_list: list[Pendulum], columns: Sequence[str]) -> None:
         """Take pend_list, made from a CSV with these columns, as the new cradle.
@@ -87,13 +87,13 @@ class Cradle:
         self.note_made_angles()
 
     def own_ways(self, csv: CradleCsv) -> list[str]:
-        """Return what this CSV does not decide: the number of pendula, and names of columns."""
-        own = [COUNT] if len(self.pend_list) != len(csv.pendula) else []
+        """Return where the cradle differs from this CSV: COUNT, and names of columns."""
+        found = [COUNT] if len(self.pend_list) != len(csv.pendula) else []
         for name in SETTABLE:
             pairs = zip(self.values(name), numbers_in(csv, name), strict=False)
             if any(value != number for value, number in pairs):
-                own.append(name)
-        return own
+                found.append(name)
+        return found
 
     def require_same_pendula(self) -> None:
         """Raise a MistakeError if a tick has changed the number of pendula, or spoilt one."""
@@ -198,16 +198,16 @@ class Cradle:
         """Return pend[key] of each pendulum."""
         return [pend[key] for pend in self.pend_list]
 
-    def without_hidden(self, found: Mapping[str, Any]) -> dict[str, Any]:
-        """Return what was found, by its names, without what tells a hidden value.
+    def without_hidden(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return these values, by their names, without those that give a hidden value away.
 
-        A record and the lines in the terminal leave through it, and the state (unknown.py).
+        Recorded data, the lines in the terminal and the page's state (unknown.py) pass through it.
         """
         is_hiding = self.hidden is not None
-        return {name: found[name] for name in found if not (is_hiding and TELLING.search(name))}
+        return {name: values[name] for name in values if not (is_hiding and TELLING.search(name))}
 
     def shown(self, key: str) -> list:
-        """Return pend[key] of each pendulum, with None for what is hidden: for what is drawn."""
+        """Return pend[key] of each pendulum, to be drawn: None stands for a hidden value."""
         values = self.values(key)
         if self.hidden and self.hidden.column == key:
             for row in self.hidden.rows:

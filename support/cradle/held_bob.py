@@ -42,6 +42,5 @@ class HeldBob:
             self.cradle.note_lifted()
 
     def let_go(self) -> None:
-        """Hold nothing."""
         self.index = None
         self.has_moved = False

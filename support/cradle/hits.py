@@ -39,8 +39,8 @@ class Hits:
         """The settings of next_cradle say whether the function gets separating bobs, too."""
         self.cradle = cradle
         self.next_cradle = next_cradle
-        self.noted: list[Hit] = []  # of the present batch
-        self.tick = 0  # the number of the present tick
+        self.noted: list[Hit] = []  # of this batch
+        self.tick = 0  # the number of this tick
         self.was_asked = False  # whether a tick of this run has called the function
         self.has_rule = cradle.cord_count == 1
         # Of each id of a pendulum with which the run began -> its index, and the pendulum

@@ -69,7 +69,7 @@ class Player:
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
         self.last_frame = perf_counter()  # s: when the last frame began
         self.is_over = False  # whether the simulation has ended
-        # The present run.
+        # This run.
         self.names: dict[str, Any] = {}  # of the program
         self.run_count = 0  # runs that have begun
         self.is_shown = False  # whether the run has shown its cradle
@@ -78,7 +78,7 @@ class Player:
         self.is_preview = False  # whether it shows only the functions that are written
         self.remarks: list[str] = []  # what there is to say about it
         # The ticks of this frame.
-        self.planned: float = 0  # those that no batch has yet
+        self.planned: float = 0  # those that are in no batch yet
         self.deadline = inf  # the time on the pace's clock at which no more of them begin
         # The ticks of a batch.
         self.is_in_batch = False
@@ -153,7 +153,6 @@ class Player:
         discard_all(but=self.own_shapes())
 
     def note(self, remark: str) -> None:
-        """Keep a remark on this run."""
         if remark not in self.remarks:
             self.remarks.append(remark)
 
@@ -183,7 +182,7 @@ class Player:
     def note_own_ways(self, csv: CradleCsv) -> None:
         """Note what the program sets itself; if NC_FP is a copy of the CSV, say so.
 
-        A preview takes only some pendula.
+        A preview takes only some of the pendula: that is no difference.
         """
         is_copy = str(csv.filepath) != constants.NC_FP
         self.copy = Path(constants.NC_FP).resolve() if is_copy else None

@@ -21,7 +21,7 @@ class Stopwatch:
         self.least_time = time
 
     def look(self, time: float, kinetic: float, total: float) -> None:
-        """Look at the energies (J) at this time (s)."""
+        """Take the energies (J) at this time (s)."""
         part = kinetic / total if total > 0 else 0.0
         if part < SLOW:
             if not self.is_slow:

@@ -59,14 +59,14 @@ class Snapshot:
         """Yield the rows, the header first.
 
         Semicolons separate cells if the first line with text has one, or else commas, or else tabs.
-        Beside semicolons and tabs, a number can have a decimal comma, which becomes a point. Left
-        out are rows without a value, last cells without one, and spaces around a cell. Raises a
-        ValueError that names the mistake and its place if the file cannot be read, is not UTF-8
-        text, is empty, or has a row with more cells than the header.
+        Beside semicolons and tabs, a number can have a decimal comma, which becomes a point. Rows
+        without a value are left out, and so are empty cells at the end of a row, and spaces around
+        a cell. Raises a ValueError that names the mistake and its place if the file cannot be read,
+        is not UTF-8 text, is empty, or has a row with more cells than the header.
         """
         text = self.text()
         first_line = text.lstrip().partition("\n")[0]
-        separator = next((sign for sign in ";,\t" if sign in first_line), ",")
+        separator = next((letter for letter in ";,\t" if letter in first_line), ",")
         lines = io.StringIO(text, newline="")
         reader = csv.reader(lines, delimiter=separator, skipinitialspace=True)
         header: CsvRow | None = None

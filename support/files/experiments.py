@@ -91,7 +91,6 @@ def read_experiment(file: Path, cords: int) -> Experiment:
 
 
 def take_experiment(file: Path, values: dict[str, Any], cords: int) -> Experiment:
-    """Return the experiment with these values."""
     name = take_text(values, "name")
     require(name != YOUR_CSV, "name", name, "another name")
     thetas: Any = values.get("theta")

@@ -190,7 +190,7 @@ class LiveSource:
         return True
 
     def has_new_constants(self) -> bool:
-        """Return whether support/constants.py is another one than this process has."""
+        """Return whether support/constants.py has changed since this process read it."""
         return self.current.get(CONSTANTS) != self.constants
 
     def mistake(self) -> str:

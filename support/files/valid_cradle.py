@@ -105,7 +105,6 @@ def are_in_range(masses: Iterable[float]) -> bool:
 
 
 def numbers_in(csv: CradleCsv, column: str) -> list[float]:
-    """Return the numbers in this column of a CSV."""
     place = csv.columns.index(column)
     return [to_number(cells[place]) for cells in csv.pendula]
 

@@ -55,11 +55,9 @@ class Chooser:
                 self.sheets.append((name, known.question, [text for text, _ in known.answers]))
 
     def names(self) -> list[str]:
-        """Return the names that you can choose."""
         return [YOUR_CSV, *self.experiments]
 
     def name(self) -> str:
-        """Return the name of what is chosen."""
         return self.experiment.name if self.experiment else YOUR_CSV
 
     def leave_experiment(self) -> None:
@@ -83,8 +81,8 @@ class Chooser:
     def look_at_file(self) -> None:
         """Choose your CSV again if you have saved it.
 
-        If it has a mistake, keep the message; the old cradle then swings on. So it does if the
-        program itself has written the file.
+        If it has a mistake, keep the message, and let the old cradle swing on. The old cradle also
+        swings on if the program itself has written the file.
         """
         if not self.file.changed():
             return
@@ -108,7 +106,6 @@ class Chooser:
         return settings_of(self.experiment) if self.experiment else self.first
 
     def state(self) -> State:
-        """Return what the page must know of the choice."""
         csv = self.first.csv
         at_rest = [[0.0] * self.cords] * len(csv.pendula)
         return {

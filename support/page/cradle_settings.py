@@ -20,10 +20,10 @@ LIMITS = {"mass": (0.001, 1000), "e": (0, 1)}
 
 
 class CradleSettings:
-    """Changes the settings of the next cradle, and wants it."""
+    """Changes the settings of the next cradle, and asks for it."""
 
     def __init__(self, cradle: Cradle, chooser: Chooser):
-        """Change what this chooser has chosen; cradle is that of now."""
+        """Change what this chooser has chosen; cradle is the one on the page."""
         self.cradle = cradle
         self.next_cradle = chooser.next_cradle
         self.chooser = chooser
@@ -43,13 +43,13 @@ class CradleSettings:
         return angle_to_outwards(angles[cord])
 
     def set_release_angle(self, cord: int, degrees: float) -> None:
-        """Release the bobs with this angle of this cord, outwards."""
+        """Release the bobs with this angle of this cord, in degrees outwards."""
         angles = self.cradle.release_angles(self.next_cradle.settings.angles)
         angles[cord] = outwards_to_angle(degrees)
         self.release(angles=angles)
 
     def release(self, **changed: object) -> None:
-        """Change these settings, and lift the bobs as the sliders say, no more as an experiment."""
+        """Change these settings, and lift the bobs as the sliders say, not as an experiment."""
         cradle = self.cradle
         if self.next_cradle.settings.poses:
             lifted = {"poses": None, "angles": cradle.made_angles, "lifted": cradle.lifted}

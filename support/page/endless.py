@@ -1,4 +1,4 @@
-"""Find a function that does not return, so that the loop asks nothing; a save stops it."""
+"""Find a function that does not return; it is stopped when you save a file."""
 
 import sys
 import threading
@@ -51,7 +51,6 @@ class Watch:
         self.watcher.start()
 
     def stop(self) -> None:
-        """Look no more, from now on."""
         self.has_ended.set()
         self.watcher.join()
 

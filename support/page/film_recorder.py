@@ -89,8 +89,8 @@ class FilmRecorder(Viewer):
     def frame(self) -> None:
         """Show the last ticks, with all numbers, and plan the next ones; at the end, keep the run.
 
-        Then go on to the next cradle. Where the lesson waits for you, go on at once: in the file it
-        waits for the one who plays it.
+        Then go on to the next cradle. Where the lesson waits for an answer, go on at once: the file
+        asks the person who opens it.
         """
         self.next_refresh = 0.0
         super().frame()
@@ -110,7 +110,7 @@ class FilmRecorder(Viewer):
                 self.is_over = True
 
     def show_new_cradle(self) -> None:
-        """Show a new cradle; one with a hidden value with what one needs to find it."""
+        """Show a new cradle; if it has a hidden value, show all that you need to find it."""
         self.lesson.is_paused = False
         self.marks.measures = bool(self.cradle.hidden)
         super().show_new_cradle()
@@ -119,7 +119,6 @@ class FilmRecorder(Viewer):
         Player.go_on_after(self, error)  # nobody mends it here
 
     def keep_run(self) -> None:
-        """Keep the run up to now."""
         self.runs.append(run_as_html(self.tabs.pictures()))
 
 
@@ -148,9 +147,9 @@ def write_all_runs(file: Path, recorder: FilmRecorder, folder: str) -> None:
 def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
     """Write the runs of a program to these HTML files; place names them all in a message.
 
-    If a function makes a mistake, a single run ends with it, and the exit status is 1; so it is,
-    without files, with several runs, and after a signal. Raises an OSError if a file cannot be
-    written.
+    If a function makes a mistake, a single file ends with it, and several files are not written.
+    After a signal, no file is written. In all these cases, the exit status is 1. Raises an OSError
+    if a file cannot be written.
     """
     has_failed = False
     try:

@@ -24,16 +24,14 @@ COLUMNS = "a column t, and theta_1 or theta_1 (degrees), ..., with a number in t
 
 
 class GhostFile:
-    """The motion in a file, or none, and how far a cradle is off it."""
+    """The motion in a file, or none, and how far a cradle differs from it."""
 
     def __init__(self) -> None:
-        """Begin without a file."""
         self.remove()
 
     # --- the file --------------------------------------------------------------------------------
 
     def remove(self) -> None:
-        """Forget the file."""
         self.name = ""
         self.mistake = ""  # in a later file, which is not taken
         # The times (s) after the release and the angles (rad), by the pendulum's index

@@ -66,7 +66,6 @@ class Graph:
             self.choices[f"Phase {angle}"] = f"{in_rates} over {in_degrees}", phases, DEGREES
 
     def names(self) -> list[str]:
-        """Return the names that you can choose."""
         return [*self.cradle.without_hidden(self.choices)]
 
     def name(self) -> str:

@@ -6,7 +6,7 @@
     explained   the page says what happened, and why; the cradle swings once more, and rests
     free        there is no question
 
-With Ask, a run is asked before it runs, and seen before it is explained; without, it is neither.
+With Ask, the states asked and seen are among them; without Ask, they are left out.
 Again slowly repeats the swing, and changes nothing else. The lesson also owns pause, rest and
 speed, and the word about your last command. Nothing is stored, and nobody gets a score.
 """
@@ -35,7 +35,7 @@ OVER = (
 
 
 class Lesson:
-    """Owns the state of the lesson; the other parts show it, and are told."""
+    """Owns the state of the lesson, which the other parts show."""
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class Lesson:
         pace: RealTime,
         plan: Callable[..., None],
     ):
-        """Let the time go on; plan(ticks) plans the ticks of a frame, as that of a Player."""
+        """Let the time go on; plan(ticks) plans the ticks of a frame, as Player.plan does."""
         self.chooser = chooser
         self.next_cradle = chooser.next_cradle
         self.slow_hits = slow_hits
@@ -60,7 +60,7 @@ class Lesson:
         """Enter the first state of a lesson."""
         self.state = state
         self.replies: dict[str, int | None] = {ASKED: None, SEEN: None}  # the indices of answers
-        self.measurement: Measurement | None = None  # of the present swing
+        self.measurement: Measurement | None = None  # of this swing
         self.explained: Measurement | None = None  # that of the last whole swing
         self.is_slow = False  # whether the swing is in slow motion
         self.stands = state == ASKED  # whether the cradle waits at its release for an answer
@@ -104,7 +104,7 @@ class Lesson:
         self.next_cradle.want()
 
     def is_measuring(self) -> bool:
-        """Return whether the first swing of the present run is not yet over."""
+        """Return whether the first swing of this run is not yet over."""
         return self.measurement is not None and not self.measurement.is_over
 
     def measure(self) -> bool:
@@ -146,7 +146,7 @@ class Lesson:
         return self.pace.clock() < self.rest_end
 
     def speed_now(self) -> float:
-        """Return the speed of the present run, times real time."""
+        """Return the speed of this run, times real time."""
         return SLOWLY if self.is_slow else self.speed
 
     # --- commands ------------------------------------------------------------------------------
@@ -170,7 +170,7 @@ class Lesson:
         self.choose(names[place % len(names)])
 
     def set_asks(self, asks: bool) -> None:
-        """Ask the questions of experiments, or not; begin that of now again."""
+        """Ask the questions of experiments, or not; begin the present one again."""
         self.asks = asks
         self.word = ""
         if self.state != FREE:
@@ -258,7 +258,6 @@ class Lesson:
         return radians(max(map(abs, swings), default=0.0))
 
     def view(self) -> State:
-        """Return what the page must know of the lesson."""
         return {
             "paused": self.is_paused,
             "running": self.is_running(),

@@ -75,7 +75,7 @@ class State(TypedDict, total=False):
 
 
 class Texts(TypedDict, total=False):
-    """What stands in the page when it is served: a tab has it also without the program."""
+    """Texts that the page has when it is served, so that a tab shows them without the program."""
 
     command: str  # that starts this program again
     csv: str  # the name of your file

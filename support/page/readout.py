@@ -14,7 +14,7 @@ DIRECTIONS = {"+": " →", "-": " ←"}
 def readout_lines(motion: Motion, pace: RealTime, slow_hits: SlowHits) -> dict[str, str]:
     """Return the text of each line of the readout by its name.
 
-    The energy and the momentum are those after the slow hit that is shown, or of now. A second line
+    The energy and the momentum are those after the slow hit that is shown, or now. A second line
     of a text is a note, which the page writes small.
     """
     pend_list = slow_hits.shown_pendula()
@@ -37,9 +37,10 @@ def what_changes_momentum(motion: Motion) -> str:
 
 
 class Bars:
-    """The bars of now; while the picture rests after a measurement, those after the last hits.
+    """The momenta of this moment as bars.
 
-    Most bobs stop for a moment then.
+    While the picture rests after a measurement, they are those after the last hits: at that moment,
+    most bobs stand still.
     """
 
     def __init__(self, motion: Motion, slow_hits: SlowHits):
@@ -50,7 +51,7 @@ class Bars:
         self.after_hits: list[float] = []  # kg m/s: the momenta after them
 
     def look(self) -> None:
-        """Keep the momenta of this moment if there were hits since the last look."""
+        """Keep the momenta of this moment if there were hits since the last call."""
         if self.motion.last_fast != self.last_hits:
             self.last_hits = self.motion.last_fast
             self.after_hits = self.motion.momenta(self.motion.cradle.pend_list)

@@ -1,12 +1,12 @@
-"""The hidden value of an experiment: you type yours, and hear how far it is off."""
+"""The hidden value of an experiment: you type yours, and the page says how far it is off."""
 
 from support.columns import CHECKED
 from support.cradle.cradle import Cradle
 from support.page.names import State
 
-EXACT = 0.05  # %: a value that is not so far off is right
-NEAR = 5.0  # %: a value that is not farther off is found
-FAR = 10.0  # %: of a value that is farther off, it says no more, or one guess would tell the value
+EXACT = 0.05  # %: a value that is off by less is right
+NEAR = 5.0  # %: a value that is off by at most this is found
+FAR = 10.0  # %: for a value farther off, no number is said: one guess would give the value away
 
 
 class Unknown:
@@ -24,7 +24,7 @@ class Unknown:
     def check(self, text: str) -> None:
         """Say by how many percent the value in this text is off.
 
-        A value that is near it is found: then say it, and how one finds it, and hide it no more.
+        A value near the right one is found: then show the right one, and say how it is found.
         """
         hidden = self.hidden
         if hidden is None:
@@ -43,7 +43,7 @@ class Unknown:
                 self.cradle.hidden = None
 
     def without_hidden(self, state: State) -> State:
-        """Return the whole state of the page without what tells the hidden value."""
+        """Return the whole state of the page without what gives the hidden value away."""
         cradle = self.cradle
         if cradle.hidden:
             for hit in state["hits"]:
@@ -53,7 +53,7 @@ class Unknown:
         return state
 
     def state(self) -> State:
-        """Return the question, the name and the unit of the value, and the word about yours."""
+        """Return the question, the name and the unit of the value, and a sentence about yours."""
         hidden = self.hidden
         unknown = None
         if hidden:

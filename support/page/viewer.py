@@ -126,7 +126,7 @@ class Viewer(Player):
     # --- frames --------------------------------------------------------------------------------
 
     def frame(self) -> None:
-        """Do the work of one frame: show the last ticks, rest, obey, and plan the next ticks."""
+        """Do the work of one frame: show the last ticks, rest, take commands, and plan the next."""
         self.show_frame()
         self.pace.rest()
         while not (self.tabs.commands.empty() or self.next_cradle.is_wanted or self.planned):
@@ -147,12 +147,12 @@ class Viewer(Player):
             self.keep_time()
 
     def look_at_files(self) -> None:
-        """Want a new run if you have saved your CSV, or a file of src/."""
+        """Ask for a new run if you have saved your CSV, or a file of src/."""
         self.chooser.look_at_file()
         self.look_at_source()
 
     def look_at_source(self) -> bool:
-        """Want a new run if you have saved a file of src/ that can run; say why one cannot.
+        """Ask for a new run if you have saved a file of src/ that can run; say why one cannot.
 
         Return whether a new run is wanted, also for another reason.
         """
@@ -164,7 +164,7 @@ class Viewer(Player):
         return self.next_cradle.is_wanted
 
     def tell_of_files(self, mistake: str = "") -> None:
-        """Say what is not as it should be with the files; mistake is that of the last save."""
+        """Say what is wrong with the files; mistake is that of the last save."""
         words = taken_names() if SRC.is_dir() else []
         if mistake:
             words.append(f"Saved, but not run: {mistake}.")
@@ -173,7 +173,7 @@ class Viewer(Player):
         self.tabs.tell({"saved": " ".join(words)})
 
     def carry_out(self, name: Any, *values: Any) -> None:
-        """Do what a command says; do nothing if there is none, or if it takes no such values."""
+        """Carry out a command; do nothing if there is none with this name, or with such values."""
         command: Any = self.commands.get(str(name))
         if command and command.takes(values):
             command.do(*values)
@@ -186,7 +186,7 @@ class Viewer(Player):
     def show_frame(self) -> None:
         """Show the result of the last ticks.
 
-        Ten times a second show all of it, else what must be in step with the bobs.
+        Ten times a second show all of it, otherwise only what must keep step with the bobs.
         """
         if self.held_bob.has_moved:
             self.motion.set_start()  # 100 % is the energy of this moment
@@ -222,7 +222,7 @@ class Viewer(Player):
     def state(self) -> State:
         """Return what the page shows outside VPython's canvas, all texts plain.
 
-        Each part says all that it knows; what tells a hidden value is then taken out.
+        Each part says all that it knows; what gives a hidden value away is then taken out.
         """
         said = (*self.remarks, self.cradle.remark(), self.why_no_hits())
         lines = readout_lines(self.motion, self.pace, self.slow_hits)

@@ -28,7 +28,6 @@ class MistakeError(Exception):
 
 
 def is_in_src(filename: str) -> bool:
-    """Return whether a file is in src/."""
     return Path(filename).resolve().is_relative_to(SRC)
 
 

@@ -176,7 +176,6 @@ def page_options(description: str) -> OneLineParser:
 
 
 def parse_page(parser: OneLineParser) -> argparse.Namespace:
-    """Return the options of a page."""
     options = parse(parser)
     if options.seconds is not None and options.html is None and options.html_all is None:
         parser.error("argument --seconds: needs --html or --html-all")

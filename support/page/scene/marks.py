@@ -174,8 +174,8 @@ class Marks:
                 axis = vector(LONGEST_ARROW * self.cradle.cords_length * part, 0, 0)
                 arrows.append({"pos": place, "axis": axis, "shaftwidth": radius / 2})
         self.draw("rings", ring, rings, color=ORANGE, axis=vector(0, 0, 1))
-        told = [] if self.cradle.hidden else arrows
-        self.draw("changes", arrow, told, color=PINK, pickable=False)
+        changes = [] if self.cradle.hidden else arrows
+        self.draw("changes", arrow, changes, color=PINK, pickable=False)
 
     # --- ghosts: of each answer, or of a file ----------------------------------------------------
 
@@ -247,5 +247,5 @@ class Marks:
 
 
 def pale(shade: vector) -> vector:
-    """Return the color of the ghost of what has this color."""
+    """Return the color of the ghost of a part with this color."""
     return GHOST * shade + (1 - GHOST) * color.white

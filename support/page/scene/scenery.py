@@ -134,5 +134,4 @@ def make_frame(first: vector, last: vector, depth: float, cords_length: float) -
 
 
 def make_rod(pos: vector, axis: vector, thickness: float) -> cylinder:
-    """Return a rod of chrome."""
     return make_shape(cylinder, pos=pos, axis=axis, radius=thickness / 2, **CHROME)

@@ -1,4 +1,4 @@
-"""Slow hits: when a series of hits comes, the time holds, and each hit waits until you go on."""
+"""Slow hits: at a series of hits, the time stands, and each hit waits until you go on."""
 
 from collections.abc import Sequence
 from math import inf
@@ -34,7 +34,6 @@ class SlowHits:
         self.clear()
 
     def switch(self, is_on: bool) -> None:
-        """Show the hits slowly, or not."""
         self.is_on = is_on
         self.clear()
 
@@ -49,7 +48,7 @@ class SlowHits:
     def add(self, hits: Sequence[Hit]) -> None:
         """Take the fast ones of these hits of the last few ticks.
 
-        The time stands while a hit waits: so none waits now.
+        No tick is done while a hit waits: so none waits now.
         """
         time = self.motion.time()  # s
         pend_list = list(self.cradle.pend_list)

@@ -33,13 +33,13 @@ class Attendance:
             self.deadline = deadline
 
     def welcome(self) -> None:
-        """Hear that a tab is there."""
+        """Count a tab that has come."""
         self.present += 1
         self.seconds = 0.0
         self.deadline = self.clock()
 
     def lose(self, is_cut: bool) -> None:
-        """Hear that a tab is gone: its line was cut, or its browser has closed it."""
+        """Count a tab that has gone: its connection was cut, or its browser has closed it."""
         self.present -= 1
         self.wait(CUT if is_cut else CLOSED)
 

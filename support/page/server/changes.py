@@ -1,9 +1,9 @@
-"""What has changed in VPython's drawing and in the state, for tabs that lack more or less of it.
+"""What has changed in VPython's drawing and in the state: a tab gets what it does not have yet.
 
 VPython keeps a list of its changes, and forgets them when they are sent. Here, each change has the
-number of the delivery in which it came last. What a tab lacks is all with a later number than that
-of its last message. So a new tab, a slow one, one whose line was cut, and a film are one case: each
-gets the last value of each attribute, less often maybe, and loses nothing.
+number of the delivery in which it came last. A tab gets all changes with a later number than
+that of its last message. So a new tab, a slow one, one whose connection was cut, and a film are one
+case: each gets the last value of each attribute, less often maybe, and loses nothing.
 
     a message   {"drawing": {key: change, ...}, "state": {name: value, ...}}
 
@@ -32,7 +32,6 @@ class Changes:
     """All changes of VPython's and of the state, by what they change, the latest one last."""
 
     def __init__(self) -> None:
-        """Begin with nothing."""
         self.number = 0  # of the last delivery
         self.drawing: Changed = {}  # cmds are dictionaries, attrs are texts
         self.state: Changed = {}  # by the name of the value
@@ -59,7 +58,7 @@ class Changes:
         changed[key] = (self.number, change)
 
     def later(self, has: int) -> dict[str, dict]:
-        """Return what is later than the delivery with the number `has`, each change by its key."""
+        """Return the changes after the delivery with the number `has`, by their keys."""
         drawing = later(self.drawing, has)
         for key in [*drawing]:
             # A shape is made with its last texture: glow.min.js mixes up two that it loads.
@@ -70,7 +69,7 @@ class Changes:
         return {"drawing": drawing, "state": later(self.state, has)}
 
     def message(self, has: int) -> str:
-        """Return all that is later than the delivery with the number `has` as one message."""
+        """Return the changes after the delivery with the number `has` as one message."""
         return as_json(self.later(has))
 
 
@@ -95,7 +94,7 @@ def attribute_in(text: str) -> str:
 
 
 def later(changed: Changed, has: int) -> dict[Any, Any]:
-    """Return the changes that are later than the delivery with the number `has`, in their order."""
+    """Return the changes after the delivery with the number `has`, in their order."""
     found = []
     for key, (number, change) in reversed(changed.items()):
         if number <= has:

@@ -1,4 +1,4 @@
-"""The film of the present run: its pictures, to be saved as a file, also without a tab.
+"""The film of this run: its pictures, to be saved as a file, also without a tab.
 
 A picture has what has changed since the picture before it, the first one has all.
 """
@@ -33,7 +33,6 @@ class Film:
         self.begin()
 
     def begin(self) -> None:
-        """Begin the film of a new run."""
         self.pictures: deque[FilmPicture] = deque()
         self.has = 0  # the number of the last delivery in it
         self.last_look = -inf  # on the clock: when the last picture was taken
@@ -42,7 +41,7 @@ class Film:
     def take(self, changes: Changes, at_once: bool = False) -> None:
         """Take a picture of what is later than the last one, if it is due, or at once.
 
-        It is due at once if the question has changed: a saved run stops where it asks.
+        It is due at once if the question has changed: the film stops at each question.
         """
         now = self.clock()
         gap = now - self.last_look

@@ -55,7 +55,7 @@ class Server:
     def __init__(self, listener: socket.socket, texts: Texts):
         """Serve at this socket, made by listen; the page has these texts, by name."""
         self.listener = listener
-        # Without signs that end an address in some terminals; the second one is short, to be typed.
+        # Letters and digits, which no terminal splits; the second one is short, to be typed.
         self.keys = {"key": secrets.token_hex(12), "follow": secrets.token_hex(4)}
         self.pages = {
             "key": page_with({**texts, "share": self.keys["follow"]}),
@@ -85,7 +85,7 @@ class Server:
         """Answer requests until the loop is stopped."""
         asyncio.set_event_loop(self.loop)
         self.loop.set_exception_handler(report)
-        for name in ("access", "general"):  # they speak of clients: refused ones, cut ones
+        for name in ("access", "general"):  # they report refused and lost browsers
             logging.getLogger(f"tornado.{name}").setLevel(logging.CRITICAL)
         server = HTTPServer(self.application, idle_connection_timeout=IDLE, max_buffer_size=LARGEST)
         self.listener.setblocking(False)
@@ -120,7 +120,7 @@ class Server:
             tab.close()
 
     def look(self) -> None:
-        """Give each tab a sign of life; end the program when no tab is awaited any more."""
+        """Send each tab a sign of life; end the program when no tab may still come."""
         self.loop.call_later(LOOK, self.look)
         for tab in self.tabs.tabs:
             tab.update(self.tabs.all)
@@ -132,12 +132,11 @@ class Server:
 
 
 class Guarded(RequestHandler):
-    """What needs a key."""
+    """A request that needs a key."""
 
-    keys: tuple[str, ...] = ("key",)  # the names of those that let in
+    keys: tuple[str, ...] = ("key",)  # the names of the keys that are enough
 
     def initialize(self, server: Server) -> None:
-        """Take the Server."""
         self.server = server
 
     def prepare(self) -> None:
@@ -146,7 +145,7 @@ class Guarded(RequestHandler):
             raise HTTPError(403)
 
     def has(self, name: str) -> bool:
-        """Return whether the request has the key with this name, in the same time for each one."""
+        """Return whether the request has this key; the time that this takes betrays nothing."""
         given = self.get_query_argument(name, "")
         return secrets.compare_digest(given.encode(), self.server.keys[name].encode())
 
@@ -169,7 +168,7 @@ class Page(Guarded):
             self.server.attendance.wait(LOADING)
         self.finish(self.server.pages["key" if self.has("key") else "follow"])
 
-    head = get  # a page whose line was cut asks whether the program answers
+    head = get  # a page whose connection was cut asks whether the program answers
 
 
 class Run(Guarded):
@@ -215,7 +214,7 @@ class Socket(Guarded, WebSocketHandler):
         return origin != "null"
 
     def get_compression_options(self) -> dict[str, Any]:
-        return {"compression_level": 1}  # more would take more of a core than it saves on the line
+        return {"compression_level": 1}  # a higher one takes more time than it saves
 
     def open(self) -> None:
         self.set_nodelay(True)
@@ -230,11 +229,11 @@ class Socket(Guarded, WebSocketHandler):
             self.write_message(message)
 
     def speaks(self) -> bool:
-        """Return whether the browser has sent what is not yet read."""
+        """Return whether the browser has sent a message that is not yet read."""
         connection: Any = self.ws_connection
         try:
             return bool(connection.stream.socket.recv(1, socket.MSG_PEEK))
-        except (AttributeError, OSError):  # nothing, or nobody any more
+        except (AttributeError, OSError):  # there is none, or the browser has gone
             return False
 
     def on_message(self, message: str | bytes) -> None:
@@ -255,6 +254,6 @@ def stop_main() -> None:
 
 
 def report(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:
-    """Print a mistake of the server; a client that is gone is none."""
+    """Print an error of the server, unless it only says that a browser has gone."""
     if not isinstance(context.get("exception"), OSError | WebSocketClosedError | None):
         loop.default_exception_handler(context)

@@ -1,4 +1,4 @@
-"""The tabs that show the cradle: what each one lacks, and the commands they give.
+"""The tabs that show the cradle: what each one must still get, and the commands they give.
 
 to a tab    messages of changes.py, and "" as a sign of life
 from a tab  ["seen", count of messages shown], [command, value, ...], and "" as a sign of life
@@ -33,23 +33,24 @@ class Tab:
         follows: bool = False,
         speaks: Callable[[], bool] = lambda: False,
     ):
-        """Begin with nothing; send sends a message, close ends the line.
+        """send sends a message, close ends the connection.
 
-        speaks() returns whether the tab has said what is not yet read. This may be that its browser
-        closes it: first this is read, as a message that fails would end the line.
+        speaks() returns whether the tab has sent a message that is not yet read. It can say that
+        the browser closes the tab: so it is read first. To send to a closed tab would only look
+        like a cut connection.
         """
         self.send = send
         self.close = close
         self.follows = follows
         self.speaks = speaks
         self.has = 0  # the number of the last delivery that it has got
-        self.room = ROOM  # for messages that may still be sent
+        self.room = ROOM  # messages that may still be sent
 
     def update(self, changes: Changes, at_once: bool = False) -> None:
-        """Send all that the tab lacks as soon as there is room, or at once."""
-        lacks_something = self.has < changes.number
-        has_time = self.room > 0 and not self.speaks()
-        if lacks_something and (has_time or at_once):
+        """Send all that the tab has not got yet, as soon as it can take a message, or at once."""
+        is_behind = self.has < changes.number
+        can_take = self.room > 0 and not self.speaks()
+        if is_behind and (can_take or at_once):
             self.send(changes.message(self.has))
             self.has = changes.number
             self.room -= 1
@@ -65,18 +66,18 @@ class Tabs:
     def __init__(self, in_server: Callable[..., Any], film: Film | None = None) -> None:
         """Begin without a tab; in_server calls a function with arguments in the server's thread."""
         self.in_server = in_server
-        self.film = film or Film()  # of the present run
+        self.film = film or Film()  # of this run
         self.all = Changes()  # VPython never sends a change again
         self.tabs: set[Tab] = set()
         self.last: dict[str, Any] = {}  # the state that the tabs have, or will have
-        self.lock = Lock()  # two threads tell
+        self.lock = Lock()  # two threads call tell
         self.commands: SimpleQueue[list] = SimpleQueue()  # [command, value, ...]
         self.holder: Tab | None = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether no tab will come any more
 
     def have_room(self) -> bool:
-        """Return whether a tab can take a message now; else, changes had better wait, and merge."""
+        """Return whether a tab can take a message now; if not, changes wait, and are merged."""
         return any(tab.room > 0 for tab in [*self.tabs])
 
     def show(self, state: Mapping[str, Any]) -> None:
@@ -97,11 +98,11 @@ class Tabs:
             new = {name: value for name, value in state.items() if last.get(name, NEW) != value}
             last.update(new)
             if new or drawing:
-                told = {name: without_folders(value) for name, value in new.items()}
-                self.in_server(self.deliver, told, drawing)
+                plain = {name: without_folders(value) for name, value in new.items()}
+                self.in_server(self.deliver, plain, drawing)
 
     def begin_run(self) -> None:
-        """Begin a film with what is shown next, a new run."""
+        """Begin a new film, of the run that is shown next."""
         self.in_server(self.film.begin)
 
     # --- in the server's thread ----------------------------------------------------------------
@@ -118,12 +119,12 @@ class Tabs:
         self.film.take(self.all)
 
     def pictures(self) -> list[FilmPicture]:
-        """Return the film of the present run, up to now."""
+        """Return the film of this run, up to now."""
         self.film.take(self.all, at_once=True)
         return [*self.film.pictures]
 
     def open(self, tab: Tab) -> None:
-        """Let a tab have all that is shown, now and later."""
+        """Send a tab all that is shown, now and later."""
         self.tabs.add(tab)
         tab.update(self.all)
 
@@ -133,7 +134,7 @@ class Tabs:
         self.tabs.discard(tab)
 
     def receive(self, tab: Tab, message: str | bytes) -> None:
-        """Take a message of a tab; forget one that is no command, or of a tab that follows."""
+        """Take a message of a tab; ignore one that is no command, or of a tab that follows."""
         try:
             command, *values = json.loads(message)
             seen = int(values[0]) if command == "seen" else 0

@@ -31,7 +31,7 @@ def keyless_files() -> dict[str, bytes]:
 def page_with(texts: Texts) -> bytes:
     """Return the page with these texts, by their names in data-text.
 
-    So the page has them also if it never hears from the program.
+    So the page has them even if the program never answers.
     """
     head = LIVE_HEAD.read_text(encoding="utf-8")
     scripts = [f'<script src="{name}"></script>' for name in SCRIPTS]
