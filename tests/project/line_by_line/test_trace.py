@@ -161,7 +161,7 @@ README = (ROOT / "tests/line_by_line/README.md").read_text(encoding="utf-8")
 
 def test_the_readme_shows_what_its_lines_print(tmp_path):
     """For functions about books, with nothing but this package."""
-    books, program, shown, _ = map(dedent, re.findall(r"(?:    .*\n|\n(?=    ))+", README))
+    books, program, shown = map(dedent, re.findall(r"(?:    .*\n|\n(?=    ))+", README))
     (tmp_path / "books.py").write_text(books.lstrip())
     done = python("-c", program, folder=tmp_path, PYTHONPATH=f"{ROOT / 'tests'}")
     assert (done.stderr, dedent(done.stdout)) == ("", shown.lstrip("\n"))

@@ -1,4 +1,4 @@
-"""How true the shipped cradle is: the figures of theory, as tests/README.md promises them."""
+"""How true the shipped cradle is: the figures of theory, as tests/project/README.md promises them."""
 
 from functools import partial
 from itertools import pairwise
