@@ -1,4 +1,4 @@
-"""Five figures of the programs: their speed, their accuracy, and what the page costs.
+"""Four figures of the programs: their speed, their accuracy, and what the page costs.
 
 To compare, there are pymunk (a physics engine for games), an exact cradle, and bare VPython.
 
@@ -19,10 +19,10 @@ from pathlib import Path
 from statistics import median
 
 if __name__ == "__main__":
-    root = Path(__file__).resolve().parents[1]
     # So that Python finds the imports below
-    project = root / "tests" / "project"
-    sys.path[:0] = map(str, (root, project, project / "cradle", project / "page"))
+    tests = Path(__file__).resolve().parent
+    rooms = [tests / "project" / room for room in (".", "cradle", "grading", "page")]
+    sys.path[:0] = map(str, [tests.parent, *rooms])
 
 import pymunk
 import vpython
@@ -248,19 +248,6 @@ def look(process, wait) -> tuple[float, float, float]:
     return now, sum(spent) / os.sysconf("SC_CLK_TCK"), simulated
 
 
-def saved_run(browser, seconds=30) -> None:
-    """Print the size of a run of these seconds as an HTML file, and the time until it is drawn."""
-    with tempfile.TemporaryDirectory() as folder, browser.new_page() as page:
-        file = Path(folder, "run.html")
-        with running(PROGRAM, "--html", str(file), "--seconds", f"{seconds}") as program:
-            program.wait()
-        start = time.perf_counter()
-        open_and_draw(page, file.as_uri())
-        drawn = time.perf_counter() - start
-        row = [f"{seconds} s", f"{file.stat().st_size / 1e6:.2f}", f"{drawn:.2f}"]
-    show("A saved run", ["run", "MB", "s until it is drawn"], [row])
-
-
 def show(title, head, rows) -> None:
     """Print a table in Markdown."""
     print(f"\n{title}\n\n| {' | '.join(head)} |\n{'| --- ' * len(head)}|")
@@ -288,7 +275,6 @@ def main() -> None:
         browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         first_pictures(browser)
         shares(browser)
-        saved_run(browser)
 
 
 if __name__ == "__main__":

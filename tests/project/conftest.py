@@ -2,7 +2,13 @@
 
 import os
 import signal
+import sys
 from functools import partial
+from pathlib import Path
+
+# Modules that tests of several rooms share
+PROJECT = Path(__file__).parent
+sys.path += map(str, [PROJECT, *(PROJECT / room for room in ("cradle", "grading", "page"))])
 
 import pytest
 from graded import solve  # noqa: F401  a fixture
