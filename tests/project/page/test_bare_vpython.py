@@ -8,7 +8,7 @@ from students import change
 
 
 def test_with_rate_the_program_throws_the_last_bob_out_on_bare_vpython(page, program):
-    """As README says it; until the tab is closed."""
+    """As begin_page says it without the page; until the tab is closed."""
     change(program, "import begin_page", "import begin")
     change(program, "from vpython import mag", "from vpython import mag, rate")
     change(program, "while is_running(pend_list):", "while True:\n        rate(1 / DT)")

@@ -1,4 +1,4 @@
-"""How true the shipped cradle is: the figures of theory, as tests/project/README.md promises them."""
+"""How true the shipped cradle is: the figures of theory in tests/project/README.md."""
 
 from functools import partial
 from itertools import pairwise
