@@ -63,12 +63,9 @@ def is_watched() -> bool:
     return bool(monitoring and any(map(monitoring.get_tool, range(6))))
 
 
-def obstacle(pend_list: list[Pendulum]) -> str:
-    """Return why the ticks must be done one by one although the functions are as shipped, or ""."""
-    if is_watched():
-        return "A debugger, a tracer or a profiler watches each call."
-    bobs = {id(pend["objects"][1]) for pend in pend_list}
-    return "Two pendula have the same bob." if len(bobs) < len(pend_list) else ""
+def have_own_bobs(pend_list: list[Pendulum]) -> bool:
+    """Return whether no two pendula have the same bob: in a tick, the last one moves it."""
+    return len({id(pend["objects"][1]) for pend in pend_list}) == len(pend_list)
 
 
 def many_ticks(cradle: Cradle, hits: Hits, ticks: int, names: dict[str, Any]) -> None:

@@ -77,15 +77,8 @@ class Motion:
         return 100 * energy / self.start_energy if self.start_energy else 0.0
 
     def momenta(self, pend_list: list[Pendulum]) -> list[float]:
-        """Return the horizontal momentum of each of these pendula, and the sum (kg m/s).
-
-        That of a pendulum is 0 if Measure shows its speed as 0.
-        """
-        momenta = []
-        for pend in pend_list:
-            velocity = self.cradle.velocity(pend)
-            moves = round(velocity, self.digits) != 0
-            momenta.append(self.cradle.whole_mass(pend) * velocity if moves else 0.0)
+        """Return the horizontal momentum of each of these pendula, and the sum (kg m/s)."""
+        momenta = [momentum([pend], R_PARAM) for pend in pend_list]
         return [*momenta, momentum(pend_list, R_PARAM)]
 
     def sample(self) -> Sample:

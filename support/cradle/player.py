@@ -7,7 +7,6 @@ the player does a frame: it shows the cradle, and plans the next ticks (plan), o
 cradle (next_cradle.want): the run is then over.
 """
 
-import gc
 from bdb import BdbQuit
 from contextlib import suppress
 from functools import partial
@@ -22,7 +21,6 @@ from support.cradle.hits import Hits
 from support.cradle.motion import Motion
 from support.cradle.real_time import BUSY, RealTime
 from support.cradle.settings import NextCradle, Settings
-from support.files.data_file import written
 from support.files.source_files import fresh_modules, main_module, run_file
 from support.files.valid_cradle import CradleCsv, file_for_pandas
 from support.pendulum import discard_all, Pendulum
@@ -39,8 +37,6 @@ with suppress(ImportError):  # a student gets the project without it
 # s in the loop, without a frame, after which Ctrl+C has probably ended a loop that never ends.
 ENDLESS_AFTER = 1.0
 PLAYER_FILE = __file__  # its frames in a traceback are not a student's
-SLOW = "So the program does one tick at a time, which is much slower."
-COPY_WRITTEN = "In this run, NC_FP is a copy of the CSV: the program has written into the copy."
 
 
 class Player:
@@ -74,7 +70,6 @@ class Player:
         self.run_count = 0  # runs that have begun
         self.is_shown = False  # whether the run has shown its cradle
         self.is_fast = False  # whether the fast path can do its ticks
-        self.copy: Path | None = None  # of the CSV, which NC_FP names
         self.is_preview = False  # whether it shows only the functions that are written
         self.remarks: list[str] = []  # what there is to say about it
         # The ticks of this frame.
@@ -184,22 +179,14 @@ class Player:
 
         A preview takes only some of the pendula: that is no difference.
         """
-        is_copy = str(csv.filepath) != constants.NC_FP
-        self.copy = Path(constants.NC_FP).resolve() if is_copy else None
         self.cradle.own = [] if self.is_preview else self.cradle.own_ways(csv)
-        if self.copy in written:
-            self.note(COPY_WRITTEN)
-        elif is_copy and self.cradle.own:
+        if self.cradle.own and str(csv.filepath) != constants.NC_FP:
             self.note(f"The program does not take {' and '.join(self.cradle.own)} from NC_FP.")
 
     def look_at_functions(self) -> None:
-        """Find out whether the fast path can do the ticks; say why not, if the code is shipped."""
-        self.is_fast = False
-        if FAST_PATH and FAST_PATH.is_shipped(self.names):
-            obstacle = FAST_PATH.obstacle(self.cradle.pend_list)
-            self.is_fast = not obstacle
-            if obstacle:
-                self.note(f"{obstacle} {SLOW}")
+        """Find out whether the fast path can do the ticks."""
+        is_shipped = FAST_PATH and FAST_PATH.is_shipped(self.names)
+        self.is_fast = is_shipped and FAST_PATH.have_own_bobs(self.cradle.pend_list)
 
     # --- for the loop --------------------------------------------------------------------------
 
@@ -265,8 +252,6 @@ class Player:
         for hit in self.hits.noted:
             self.motion.note_hit(hit)
         self.cradle.require_same_pendula()
-        if self.copy in written:
-            self.note(COPY_WRITTEN)
         if self.motion.ticks % self.step == 0:
             self.take_sample()
 
@@ -310,8 +295,6 @@ def play(file: Path, player: Player) -> None:
     """Run a program; while functions are missing, show what there is."""
     player.names = {}
     player.cradle.find_functions(player.names)
-    gc.collect()  # what the last run has left can be large
-    gc.freeze()  # so the next time is quick
     program = main_module(file)
     player.names = vars(program)
     try:

@@ -14,14 +14,7 @@ from typing import Any, NamedTuple
 from support.columns import to_number
 
 LARGEST_FILE = 6_000_000  # bytes of a file
-POLL = 0.2  # s between two looks at a file while you edit it
-# Files that are no text in UTF-8, by their first bytes
-OTHER_FILES = {
-    b"PK\3\4": "a workbook; save it as CSV in Excel or the like",  # .xlsx, .ods, .numbers
-    b"\xd0\xcf\x11\xe0": "a workbook; save it as CSV in Excel or the like",  # .xls
-    b"\xff\xfe": "text in UTF-16; save it in UTF-8",
-    b"\xfe\xff": "text in UTF-16; save it in UTF-8",
-}
+POLL = 0.1  # s between two looks at files while you edit them
 
 
 class CsvRow(NamedTuple):
@@ -97,9 +90,6 @@ class Snapshot:
         """Return the text, without a byte-order mark before it."""
         if self.error:
             raise ValueError(f"{self}: cannot be read: {self.error}")
-        for beginning, kind in OTHER_FILES.items():
-            if self.data.startswith(beginning):
-                raise ValueError(f"{self}: is {kind}")
         try:
             return self.data.decode("utf-8-sig")
         except UnicodeDecodeError as error:
@@ -118,29 +108,47 @@ def plain_cell(text: str, separator: str) -> str:
     return text if separator == "," or isnan(to_number(number)) else number
 
 
-class LiveFile:
-    """Notices when a file has changed, in place or because an editor has replaced it."""
+class Live:
+    """Notices when what it reads has changed, in place or because an editor has replaced a file."""
 
-    def __init__(self, filepath: str | Path, clock: Callable[[], float] = time.monotonic) -> None:
-        """Watch this file from now on. A test can replace clock()."""
-        self.filepath = filepath
+    def __init__(self, read: Callable[[], Any], quiet: float, clock: Callable[[], float]) -> None:
+        """Watch from now on what read() returns.
+
+        It counts as changed when it is the same for `quiet` (s): an editor may be in the middle of
+        saving. A test can replace clock().
+        """
+        self.read = read
+        self.quiet = quiet
         self.clock = clock
-        self.current = self.candidate = Snapshot(filepath)
-        self.next_look = clock() + POLL
+        self.take()
+
+    def take(self) -> None:
+        """Take what there is now."""
+        self.current = self.candidate = self.read()
+        self.since = self.next_look = self.clock()
 
     def changed(self) -> bool:
-        """Return whether the file has changed since this last returned True.
+        """Return whether there was a change since this last returned True, or since take.
 
-        current then has the new content. A change is accepted when two looks in a row find the same
-        new content: an editor may be in the middle of saving.
+        current then has the new content.
         """
-        if self.clock() < self.next_look:
+        now = self.clock()
+        if now < self.next_look:
             return False
-        self.next_look = self.clock() + POLL
-        found = Snapshot(self.filepath)
-        previous = self.candidate
-        self.candidate = found
-        if found != previous or found == self.current:
+        self.next_look = now + POLL
+        found = self.read()
+        if found != self.candidate:
+            self.candidate = found
+            self.since = now
+        if found == self.current or now - self.since < self.quiet:
             return False
         self.current = found
         return True
+
+
+class LiveFile(Live):
+    """Notices when you have saved a CSV."""
+
+    def __init__(self, filepath: str | Path, clock: Callable[[], float] = time.monotonic) -> None:
+        self.filepath = filepath
+        super().__init__(lambda: Snapshot(filepath), POLL / 2, clock)

@@ -14,7 +14,6 @@ from support.found import found
 from support.root import ROOT
 
 EXPERIMENTS = ROOT / "support" / "experiments"
-FORM = "a .toml file, such as support/experiments/single/02_two_bobs.toml"
 ANGLE = Column("angle", example="-45", unit="degrees", limits=("-180", "180"))
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|hits|(?:swing|speed|before)_([1-9]\d*))\}")
@@ -61,9 +60,7 @@ def read_experiments(folder: str | Path, cords: int) -> tuple[dict[str, Experime
     """
     experiments: dict[str, Experiment] = {}
     mistakes = []
-    for file in sorted(Path(folder).glob("[!.]*")):
-        if file.suffix not in (".toml", ".txt"):  # an old .txt is named
-            continue
+    for file in sorted(Path(folder).glob("[!.]*.toml")):
         try:
             experiment = read_experiment(file, cords)
             name = experiment.name
@@ -77,8 +74,6 @@ def read_experiments(folder: str | Path, cords: int) -> tuple[dict[str, Experime
 
 def read_experiment(file: Path, cords: int) -> Experiment:
     """Return the experiment of this TOML file; raises a ValueError with a one-line message."""
-    if file.suffix != ".toml":
-        raise ValueError(f"{file}: {found(file.suffix, FORM)}")
     text = Snapshot(file).text()
     try:
         return take_experiment(file, tomllib.loads(text), cords)

@@ -17,32 +17,19 @@ from pathlib import Path
 from types import CodeType, ModuleType
 from typing import Any
 
+from support.files.cradle_csv import Live
 from support.root import ROOT, SRC
 
 # The imports that have begun the program: in a run, they do nothing.
 BEGINNINGS = ("begin", "begin_page")
 CONSTANTS = ROOT / "support" / "constants.py"
-POLL = 0.1  # s between two looks at the files
 QUIET = 0.5  # s without a change, after which a file counts as saved: a formatter may save it again
-GONE = 1.0  # the same, if a file is empty or away: its new content may still come
 
 
 @cache
 def is_source_folder(folder: str) -> bool:
-    """Return whether a folder is src/, one in it, or the one around it."""
-    path = Path(folder).resolve()
-    is_of_python = "site-packages" in path.parts  # an environment can be in src/
-    return path == ROOT or path.is_relative_to(SRC) and not is_of_python
-
-
-def source_files() -> list[Path]:
-    """Return the Python files in src/, at any depth, and those beside it."""
-    files = [*ROOT.glob("*.py"), *SRC.glob("*.py")]
-    for folder in SRC.glob("*"):
-        is_environment = (folder / "pyvenv.cfg").exists()
-        if folder.is_dir() and not is_environment:
-            files += folder.rglob("*.py")
-    return files
+    """Return whether a folder is src/, or the one around it."""
+    return Path(folder).resolve() in (SRC, ROOT)
 
 
 # --- a run ---------------------------------------------------------------------------------------
@@ -152,41 +139,21 @@ def forget(modules: dict[str, ModuleType]) -> None:
 # --- a save --------------------------------------------------------------------------------------
 
 
-class LiveSource:
+class LiveSource(Live):
     """Notices that you have saved a file with other bytes; a new date alone is no change."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
-        """Watch from now on. A test can replace clock()."""
-        self.clock = clock
-        self.take()
+        super().__init__(contents, QUIET, clock)
         self.constants = self.current.get(CONSTANTS)  # those that this process has
-
-    def take(self) -> None:
-        """Take the files as they are now."""
-        self.current = self.candidate = contents()
-        self.saved: list[Path] = []
-        self.since = self.next_look = self.clock()
+        self.saved: list[Path] = []  # the files of the last change
 
     def changed(self) -> bool:
-        """Return whether you have saved a file since this last returned True, or since take.
-
-        If so, saved has the files that have changed.
-        """
-        now = self.clock()
-        if now < self.next_look:
-            return False
-        self.next_look = now + POLL
-        found = contents()
-        if found != self.candidate:
-            self.candidate = found
-            self.since = now
+        """Return whether there was a change; saved then has its files."""
         before = self.current
-        changed = [file for file in {*found, *before} if found.get(file) != before.get(file)]
-        is_away = any(not found.get(file) for file in changed)
-        if not changed or now - self.since < (GONE if is_away else QUIET):
+        if not super().changed():
             return False
-        self.current = found
-        self.saved = changed
+        now = self.current
+        self.saved = [file for file in {*before, *now} if before.get(file) != now.get(file)]
         return True
 
     def has_new_constants(self) -> bool:
@@ -206,7 +173,7 @@ class LiveSource:
 def contents() -> dict[Path, bytes]:
     """Return the bytes of the source files, and of the constants; a file that is away has none."""
     found = {}
-    for file in (*source_files(), CONSTANTS):
+    for file in (*ROOT.glob("*.py"), *SRC.glob("*.py"), CONSTANTS):
         with suppress(OSError):
             found[file] = file.read_bytes()
     return found

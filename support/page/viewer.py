@@ -27,11 +27,9 @@ from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
 from support.page.unknown import Unknown
-from support.root import SRC
 from support.start.end import end_if_signalled
 from support.start.mistake import report_mistake
 from support.start.preview import UnwrittenError
-from support.start.program import taken_names
 
 REFRESH = 0.1  # s between two changes of the state
 # m/s: a hit makes no sound up to this speed; bobs that rest on each other meet again in each tick.
@@ -165,7 +163,7 @@ class Viewer(Player):
 
     def tell_of_files(self, mistake: str = "") -> None:
         """Say what is wrong with the files; mistake is that of the last save."""
-        words = taken_names() if SRC.is_dir() else []
+        words = []
         if mistake:
             words.append(f"Saved, but not run: {mistake}.")
         if self.source.has_new_constants():

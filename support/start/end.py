@@ -5,7 +5,7 @@ import signal
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any, NoReturn
+from typing import Any
 
 from support.root import SRC
 from support.start.output import refuse
@@ -34,11 +34,6 @@ def on_signals(handle: Callable[[int, Any], object]) -> dict[int, Any]:
     return before
 
 
-def exit_at_once(number: int, _: object) -> NoReturn:
-    """End the process, as while it imports modules: Python could lose an error there."""
-    os._exit(STATUSES[number])
-
-
 def end(number: int, _: object) -> None:
     """Raise a SignalError. The next signal ends the process, also where code catches this one."""
     for other in STATUSES:
@@ -51,12 +46,6 @@ def end_if_signalled() -> None:
     """Raise a SignalError if a signal has come: Python loses one that it raises in a callback."""
     if came:
         raise SignalError(STATUSES[came[0]])
-
-
-def report_error(kind: type[BaseException], error: BaseException, trace: Any) -> None:
-    """Report an error as Python does, but no end of a program: `python -i` would."""
-    if not issubclass(kind, SystemExit):
-        sys.__excepthook__(kind, error, trace)
 
 
 def report_lost(lost: Any) -> None:
@@ -76,8 +65,6 @@ def ended_quietly() -> Iterator[None]:
     before = on_signals(end)
     hook = sys.unraisablehook
     sys.unraisablehook = report_lost
-    if sys.flags.interactive:
-        sys.excepthook = report_error
     if hasattr(sys.stdout, "reconfigure"):  # a notebook has another kind of output
         sys.stdout.reconfigure(errors="replace")
     try:

@@ -124,10 +124,6 @@ def parse(parser: OneLineParser) -> argparse.Namespace:
     """Return the options, with angles as the programs take them (rad)."""
     options = parser.parse_args()
     values = vars(options)
-    for name, value in values.items():
-        # In Python 3.11, --angle=-- is an empty list.
-        if value in ([], "") and name != "csv":
-            parser.error(f"argument {flag(name)}: expected one argument")
     for whole, names in EXCLUDED.items():
         for name in names:
             is_given = values.get(name) != parser.get_default(name)

@@ -1,4 +1,4 @@
-"""Printed output: messages in one line, and a bar of progress."""
+"""Printed output: messages in one line, and the progress."""
 
 import sys
 import time
@@ -8,8 +8,7 @@ from typing import NoReturn, TypeAlias
 
 Progress: TypeAlias = Callable[[float], object]
 
-BAR_AFTER = 2.0  # s before a bar shows the progress
-BAR_WIDTH = 40  # letters
+BAR_AFTER = 2.0  # s before the progress is shown
 
 
 def in_one_line(text: object) -> str:
@@ -38,7 +37,7 @@ def refuse(message: object) -> NoReturn:
 def progress_bar() -> Iterator[Progress]:
     """Yield progress(done), which takes the part that is done, 0 to 1.
 
-    If it takes longer than BAR_AFTER, a terminal shows it as a bar.
+    If it takes longer than BAR_AFTER, a terminal shows it in percent.
     """
     start = time.monotonic()
     shown = -1  # percent
@@ -48,9 +47,7 @@ def progress_bar() -> Iterator[Progress]:
         percent = int(100 * done)
         if percent > shown and time.monotonic() > start + BAR_AFTER and sys.stderr.isatty():
             shown = percent
-            bar = "#" * int(done * BAR_WIDTH)
-            text = f"\r[{bar:<{BAR_WIDTH}}] {percent} % "
-            print(text, end="", file=sys.stderr, flush=True)
+            print(f"\r{percent} % ", end="", file=sys.stderr, flush=True)
 
     try:
         yield progress

@@ -100,6 +100,6 @@ def test_each_kind_of_watching_is_noticed(name, value, monkeypatch):
 
 def test_a_bob_of_two_pendula_hinders_the_fast_path():
     pend_list = hang_row(3)
-    assert module.obstacle(pend_list) == ""
+    assert module.have_own_bobs(pend_list)
     pend_list[1]["objects"] = pend_list[0]["objects"]
-    assert module.obstacle(pend_list) == "Two pendula have the same bob."
+    assert not module.have_own_bobs(pend_list)

@@ -4,7 +4,7 @@ from math import radians
 
 import pytest
 from vpython import cylinder, mag2
-from whole_cradles import GOOD, HEADER, PERIOD, velocities
+from whole_cradles import PERIOD, velocities
 
 from grading.cradles import MIXED_CSV
 from support.constants import G, R_PARAM
@@ -56,11 +56,3 @@ def test_the_summary_names_the_farthest_bobs_at_their_angle(swing):
 )
 def test_speeds_and_momenta_have_digits_for_the_largest_one(largest, number, text):
     assert signed(number, digits_for(largest)) == text
-
-
-def test_a_bob_whose_speed_is_shown_as_0_has_no_momentum(swing):
-    """Also one of 3 kg."""
-    motion = swing(HEADER + GOOD.replace("1.0", "3.0", 1)).motion
-    [pend] = motion.cradle.pend_list
-    pend.update(theta=0.0, omega=0.0049 / R_PARAM)
-    assert motion.momenta([pend])[0] == 0

@@ -155,19 +155,10 @@ def play(tmp_path):
     return play
 
 
-LARGE = """print(NC_FP)
-class Large:
-    def __del__(self):
-        print("freed")
-large = Large()
-"""
-
-
 def test_a_program_runs_again_from_its_top_for_each_cradle(csv, play, capsys):
-    """The values of the last run are freed before."""
     before = constants.NC_FP
-    player = play(Ticks(csv, again=2), LARGE + LOOP)
-    assert capsys.readouterr().out == f"{csv}\n" + f"freed\n{csv}\n" * 2
+    player = play(Ticks(csv, again=2), f"print(NC_FP){LOOP}")
+    assert capsys.readouterr().out == f"{csv}\n" * 3
     assert player.seen[0] == player.seen[1] == player.seen[2]
     assert before == constants.NC_FP
 

@@ -1,18 +1,15 @@
-"""Files: written whole or not at all, and watched."""
+"""Files are written whole or not at all."""
 
 import errno
 import os
-from fnmatch import fnmatch
 
 import pytest
-from programs import ROOT
 from whole_cradles import FIVE_CSV, HEADER
 
 from grading.cradles import MIXED, MIXED_CSV
 from src.pds_helper import write_to_csv
 from src.special_cradles import make_newton_cradle
 from support.constants import R_PARAM
-from support.files.cradle_csv import LiveFile, POLL
 from support.files.data_file import whole_file
 
 # --- write_to_csv -------------------------------------------------------------------------------
@@ -51,13 +48,9 @@ def contents(folder):
 
 
 def test_a_file_is_replaced_only_when_the_new_one_is_complete(csv):
-    """The new one is hidden, and git does not see it."""
     with whole_file(csv) as new:
         new.write("new \u03c9")
         assert csv.read_text() == FIVE_CSV
-        [part] = contents(csv.parent).keys() - {"cradle.csv"}
-        assert fnmatch(part, ".*.tmp")
-    assert ".*.tmp" in (ROOT / ".gitignore").read_text().split()
     assert csv.read_bytes() == "new \u03c9".encode()
 
 
@@ -83,49 +76,3 @@ def test_a_file_that_cannot_be_written_is_named_as_it_was_given(name, csv, monke
     monkeypatch.chdir(csv.parent)
     with pytest.raises(OSError, match=f": '{name}'$"):
         write_to_csv(MIXED, name)
-
-
-# --- a watched file -----------------------------------------------------------------------------
-
-
-class Watched(LiveFile):
-    """A file that is watched on a clock of its own."""
-
-    def __init__(self, filepath):
-        self.now = 0.0
-        super().__init__(filepath, lambda: self.now)
-
-    def look(self, seconds=POLL * 1.01):
-        """Let this time (s) pass; return whether the file has changed."""
-        self.now += seconds
-        return self.changed()
-
-    def three_looks(self):
-        """Return whether each of three looks has noticed a change."""
-        return [self.look() for _ in range(3)]
-
-
-def test_a_saved_file_is_noticed_once_when_two_looks_find_the_same(csv):
-    assert POLL < 0.5  # s
-    file = Watched(csv)
-    csv.write_text("half")
-    assert not file.look(POLL / 2)  # the program does not read the file in each frame
-    csv.write_text(FIVE_CSV.replace("red", "sky"))
-    os.utime(csv, (0, 0))  # size and time do not show the change
-    assert not file.look(POLL / 2)
-    assert not file.look(0)
-    assert file.three_looks() == [True, False, False]
-    csv.write_text("half")  # the editor is still at work
-    assert not file.look()
-    csv.write_text("whole")
-    assert file.three_looks() == [False, True, False]
-    assert file.current.text() == "whole"
-
-
-def test_a_file_that_goes_and_comes_back_is_noticed(csv):
-    """While it is gone, the page says so."""
-    file = Watched(csv)
-    csv.unlink()
-    assert file.three_looks() == [False, True, False]
-    csv.write_text(FIVE_CSV)
-    assert file.three_looks() == [False, True, False]

@@ -43,7 +43,7 @@ def test_a_ghost_is_between_the_rows_with_a_number(rig, content, time, angles):
             ", theta_1: found '-41.5', allowed is -6.28 to 6.28 (rad), or n",
         ),
         (b"t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
-        (GOOD.decode().encode("utf-16"), ": is text in UTF-16; save it in UTF-8"),
+        (GOOD.decode().encode("utf-16"), ", line 1: found byte 0xff, allowed is text only"),
         (b"t" * LARGEST_FILE + b",", ": cannot be read: it has more than 6 MB"),
     ],
 )

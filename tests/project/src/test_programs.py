@@ -47,12 +47,6 @@ def test_the_benchmark_finds_its_own_project_and_has_help():
     assert done.stdout.startswith("usage: benchmark.py ")
 
 
-def test_ctrl_c_at_the_imports_of_a_program_prints_nothing():
-    does = "from support.start.program import begin; begin(); import signal; "
-    done = python("-c", does + "signal.raise_signal(signal.SIGINT)")
-    assert (done.returncode, done.stderr) == (0, "")
-
-
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
     csv.write_text(MIXED_CSV)
     monkeypatch.setattr(pds_tester, "NC_FP", str(csv))
@@ -76,9 +70,3 @@ def test_pds_tester_names_a_mistake(monkeypatch, capsys, error, status, words):
     ended, _, stderr = call(pds_tester.main, capsys)
     assert ended == status
     assert stderr.endswith(words)
-
-
-def test_a_program_says_why_it_is_slow_if_no_function_has_changed(tmp_path):
-    profiler = ("-m", "cProfile", "-o", tmp_path / "profile")
-    done = python(*profiler, "src/text_cradle_run.py", "--seconds", 0.01)
-    assert done.stdout.startswith("A debugger, a tracer or a profiler watches each call. So ")

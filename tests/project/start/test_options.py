@@ -111,8 +111,6 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
     [
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
         ("page", "--elast", "unrecognized arguments: --elast"),
-        ("text", "--record=", "argument --record: expected one argument"),
-        ("text", "--angle=--", "argument --angle: "),  # in Python 3.11, it is a list
         ("double", "--experiment a --phi=0", "argument --experiment: not allowed with argument --"),
         ("text", "--record data.csv", "argument --record: needs --seconds"),
         ("page", "--seconds 5", "argument --seconds: needs --html"),
