@@ -12,12 +12,14 @@ sys.path += map(str, [PROJECT, *(PROJECT / room for room in ("cradle", "grading"
 
 import pytest
 from graded import solve  # noqa: F401  a fixture
-from programs import copy_project, PROGRAM
+from programs import call, copy_project, PROGRAM
 from students import made, MAKE, solved, starter  # noqa: F401  fixtures
 from vpython import scene
 from whole_cradles import FIVE_CSV, make_swing, PROGRAMS
 
+from src import text_cradle_run
 from support import pendulum
+from support.start import mistake
 from support.start.options import PORT_VARIABLE
 
 os.environ.pop(PORT_VARIABLE, None)  # or the programs that the tests start would all want that port
@@ -54,6 +56,30 @@ def csv(tmp_path):
 def swing(tmp_path):
     """make_swing, in a folder of its own."""
     return partial(make_swing, tmp_path)
+
+
+@pytest.fixture
+def main(monkeypatch, capsys):
+    """main(*arguments) runs the program in the terminal; it returns its status and output."""
+
+    def main(*arguments):
+        monkeypatch.setattr(sys, "argv", ["text_cradle_run.py", *map(str, arguments)])
+        return call(text_cradle_run.main, capsys)
+
+    return main
+
+
+@pytest.fixture
+def write_program(tmp_path, monkeypatch):
+    """A function that writes the program that main runs."""
+
+    def write_program(text):
+        file = tmp_path / "program.py"
+        file.write_text(text)
+        monkeypatch.setattr(text_cradle_run, "PROGRAM", file)
+        monkeypatch.setattr(mistake, "SRC", tmp_path)
+
+    return write_program
 
 
 # The last line of what makes the cradle in the program, and of a tick

@@ -4,7 +4,7 @@ import os
 from unittest.mock import Mock
 
 import pytest
-from programs import call, copy_project, python, ROOT, with_vpython
+from programs import call, copy_project, python, ROOT
 from students import put_files
 
 import pds_tester
@@ -12,28 +12,11 @@ from grading.cradles import MIXED, MIXED_CSV
 from support.start.end import SignalError
 from support.start.mistake import TYPE_PYTEST
 
-TEXT = "src/text_cradle_run"
-PAGES = "src/visualize_cradle_run", "src/visualize_double_cradle_run"
 
-
-@pytest.mark.parametrize(
-    ("program", "hidden"),
-    [
-        ("pds_tester", "vpython"),
-        (TEXT, "vpython"),
-        pytest.param(PAGES[0], "pandas", marks=with_vpython),
-        pytest.param(PAGES[1], "pandas", marks=with_vpython),
-    ],
-)
-def test_a_program_finds_its_own_project_from_any_folder_and_refuses_in_one_line(
-    tmp_path, program, hidden
-):
-    """It needs no VPython, or it has a page and no pandas so early.
-
-    VPython's server does not start so early either: it would wait for a browser.
-    """
+@pytest.mark.parametrize("program", ["pds_tester", "src/text_cradle_run"])
+def test_a_program_finds_its_own_project_from_any_folder_and_needs_no_vpython(tmp_path, program):
     project = copy_project(tmp_path / "100% ü #1", "")
-    folder = put_files(tmp_path / "hiding", {f"{hidden}.py": "raise ImportError"})
+    folder = put_files(tmp_path / "hiding", {"vpython.py": "raise ImportError"})
     link = tmp_path / "link"
     link.symlink_to(project)
     done = python(link / f"{program}.py", folder=os.sep, PYTHONPATH=str(folder))

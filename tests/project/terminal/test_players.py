@@ -8,41 +8,15 @@ from unittest.mock import Mock
 
 import pandas as pd
 import pytest
-from programs import call
 from whole_cradles import PROGRAMS, settings_for
 
-from src import text_cradle_run
 from support.constants import DT, THETA_INIT
 from support.cradle.cradle import Cradle
 from support.cradle.real_time import RealTime
 from support.pendulum import outwards_to_angle
-from support.start import mistake, output
+from support.start import output
 from support.start.end import SignalError
 from support.terminal import players
-
-
-@pytest.fixture
-def main(monkeypatch, capsys):
-    """A function that runs the program with these arguments; it returns its status and output."""
-
-    def main(*arguments):
-        monkeypatch.setattr(sys, "argv", ["text_cradle_run.py", *map(str, arguments)])
-        return call(text_cradle_run.main, capsys)
-
-    return main
-
-
-@pytest.fixture
-def write_program(tmp_path, monkeypatch):
-    """A function that writes a program in place of ours."""
-
-    def write_program(text):
-        file = tmp_path / "program.py"
-        file.write_text(text)
-        monkeypatch.setattr(text_cradle_run, "PROGRAM", file)
-        monkeypatch.setattr(mistake, "SRC", tmp_path)
-
-    return write_program
 
 
 def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
@@ -113,7 +87,6 @@ def test_a_signal_in_a_loop_without_end_names_it(main, csv, monkeypatch, write_p
     ("dt", "line", "count", "last", "every"),
     [
         (DT, "0.025", 3, 0.02, 0.01),
-        (DT, "0.001 --every 0.0001", 11, 0.001, 0.0001),
         (3e-4, "1.4", 142, 1.3959, 0.0099),  # nearer to 0.01 than 0.0102
     ],
 )
