@@ -14,7 +14,7 @@ Sample = dict[str, float]  # the data of a moment, by the names of the columns o
 FAST_PART = 0.1
 TOGETHER = 0.1  # bobs whose angles differ by less than this part swing together
 DIGITS = 2  # of a speed or a momentum behind the point; slow cradles need more
-KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum is none
+KEPT = 1e-3  # of the momenta in a hit: a smaller change of their sum does not count
 
 
 class Motion:
@@ -108,7 +108,7 @@ def keeps_momentum(hit: Hit) -> bool:
 def percent_as_text(percent: float) -> str:
     """Return a percentage as text.
 
-    It has no more decimals: the next ones would show the errors of the tick.
+    More decimals would show the errors of the tick.
     """
     return f"{percent:.1f} %" if percent < 1000 else "> 999 %"
 

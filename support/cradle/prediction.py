@@ -6,7 +6,7 @@ from support.constants import R_PARAM
 from support.cradle.motion import FAST_PART, Motion
 from support.files.experiments import Experiment
 
-NEAR = 10.0  # degrees: an answer is right if no bob swings farther from what it predicts
+NEAR = 10.0  # degrees: an answer is right if no bob is farther from its predicted angle
 # Of the fastest bob's speed: a slower bob only crosses the gap to the next one, and does not swing.
 MOVING_PART = 1e-3
 MOST_SWINGS = 3  # small swings: a measurement takes no longer than these

@@ -102,7 +102,7 @@ class Chooser:
             self.next_cradle.settings = self.next_cradle.settings._replace(csv=csv)
 
     def unchanged(self) -> Settings:
-        """Return the settings of what is chosen, without changes on the page."""
+        """Return the settings of your choice, without your changes on the page."""
         return settings_of(self.experiment) if self.experiment else self.first
 
     def state(self) -> State:

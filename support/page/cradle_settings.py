@@ -118,7 +118,7 @@ class CradleSettings:
         self.saved = {"ticket": ticket, "text": text, "mistake": mistake}
 
     def state(self) -> State:
-        """Return what the page must know of the pendula: their table, and their CSV."""
+        """Return the table of the pendula, and the answer to the last save_csv."""
         columns = []
         cells = []
         for key in (*LIMITS, *self.motion_keys):

@@ -69,7 +69,7 @@ class Graph:
         return [*self.cradle.without_hidden(self.choices)]
 
     def name(self) -> str:
-        """Return the name of what is shown: your choice, or the angles while that is hidden."""
+        """Return the name of the graph: the one you chose, or the angles while it is hidden."""
         return self.chosen if self.chosen in self.names() else "Angles theta"
 
     def add(self, sample: Sample) -> None:

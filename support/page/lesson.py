@@ -1,4 +1,4 @@
-"""The lesson: what is chosen is free, asked, running, asked again (seen), or explained.
+"""The lesson: its state is free, asked, running, asked again (seen), or explained.
 
     asked       you predict what will happen; the cradle waits at its release
     running     the first swing, which is measured
@@ -199,13 +199,13 @@ class Lesson:
             self.repeat_run(stands=False)
 
     def can_go_on(self) -> bool:
-        """Return whether the cradle waits for no answer; if it does, say so."""
+        """Return False, and say why, while the cradle waits for an answer; else return True."""
         if self.stands:
             self.word = WAITS
         return not self.stands
 
     def pause(self) -> None:
-        """Stop the time, or let it go on; leave the hits that wait."""
+        """Stop the time, or let it go on; slow hits that still wait are left out."""
         if not self.can_go_on():
             return
         self.is_paused = self.is_running()

@@ -22,7 +22,7 @@ class Commands(TypedDict):
     previous: Command
     repeat: Command
     answer: Command  # to the question of an experiment
-    check: Command  # the value of what is hidden
+    check: Command  # your value of a hidden mass or e
     edit: Command
     save_csv: Command
     grab: Command
@@ -62,7 +62,7 @@ class State(TypedDict, total=False):
     changed: bool
     question: dict[str, Any] | None
     sheets: list[tuple]  # of all experiments with a question: the name, the question, the answers
-    unknown: dict[str, str] | None  # what is hidden
+    unknown: dict[str, str] | None  # the hidden value: its question, name and unit
     checked: str  # about your value of it
     # The ghosts of a file
     ghosts: str

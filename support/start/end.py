@@ -94,7 +94,7 @@ def is_in_session() -> bool:
 def forget_modules() -> None:
     """Let Python import again what a program has imported: you may change a file of it.
 
-    VPython goes, too: it has all objects of the page, or is the stand-in for VPython.
+    VPython is forgotten, too: it has all objects of the page, or is the stand-in for VPython.
     """
     # The files of src/ can also have been imported without "src.".
     names = {"src", "support", "vpython", *(file.stem for file in SRC.glob("*.py"))}

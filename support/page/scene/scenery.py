@@ -47,8 +47,8 @@ class Scenery:
         distant_light(direction=vector(-0.5, 0.9, 0.7), color=color.gray(0.82))
         distant_light(direction=vector(0.9, 0.1, 0.6), color=color.gray(0.2))
         self.frame: list = []
-        # On the base: the page paints the shadows of the bobs on it. It knows it by not being
-        # pickable (light.js).
+        # On the base. The page paints the shadows of the bobs on it; light.js finds it because it is
+        # not pickable.
         self.board = box(texture=textures.wood, color=DARK, pickable=False)
         self.ground = box(axis=vector(0, 1, 0), texture=GROUND, color=WHITE)
 
@@ -95,7 +95,7 @@ class Scenery:
         bottom = low.y - SHADOW * self.cords_length
         points = [*product((low.x, high.x), (bottom, top), (low.z, high.z))]
         aside, above = 0.0, NUMBERS * self.cords_length
-        quarter = self.cords_length / 4  # the view does not grow in each picture a little
+        quarter = self.cords_length / 4  # so the view does not grow in each picture
         height = quarter * ceil(self.highest / quarter)
         if height > -2 * quarter:  # out of the frame
             aside = (1 + BOB) * self.cords_length
