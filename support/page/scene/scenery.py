@@ -47,8 +47,8 @@ class Scenery:
         distant_light(direction=vector(-0.5, 0.9, 0.7), color=color.gray(0.82))
         distant_light(direction=vector(0.9, 0.1, 0.6), color=color.gray(0.2))
         self.frame: list = []
-        # On the base. The page paints the shadows of the bobs on it; light.js finds it because it is
-        # not pickable.
+        # On the base. The page paints the shadows of the bobs on it (light.js), and finds it by
+        # `pickable`.
         self.board = box(texture=textures.wood, color=DARK, pickable=False)
         self.ground = box(axis=vector(0, 1, 0), texture=GROUND, color=WHITE)
 
