@@ -1,4 +1,4 @@
-"""Four figures of the programs: their speed, their accuracy, and what the page costs.
+"""Three figures of the programs: their speed, their accuracy, and their start.
 
 To compare, there are pymunk (a physics engine for games), an exact cradle, and bare VPython.
 
@@ -6,13 +6,9 @@ Run it on Linux, with Chromium and nothing else running: `.venv/bin/python tests
 Compare numbers only within one run.
 """
 
-import os
 import re
-import shutil
 import sys
-import tempfile
 import time
-from contextlib import contextmanager
 from functools import partial
 from math import atan2, cos, inf, sin
 from pathlib import Path
@@ -21,26 +17,20 @@ from statistics import median
 if __name__ == "__main__":
     # So that Python finds the imports below
     tests = Path(__file__).resolve().parent
-    rooms = [tests / "project" / room for room in (".", "cradle", "grading", "page")]
+    rooms = [tests / "project" / room for room in (".", "cradle", "page")]
     sys.path[:0] = map(str, [tests.parent, *rooms])
 
 import pymunk
 import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles
 from pages import ARGUMENTS, CHROMIUM, draw
-from programs import PROGRAM, running
-from whole_cradles import advance, do_one_by_one, GOOD, HEADER, make_row
+from programs import running
+from whole_cradles import advance, do_one_by_one, make_row
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
-
-# With these lines after its tick, a program prints the simulated time (s).
-COUNT = """
-        ticks += 1
-        if ticks % 1000 == 0:
-            print(ticks * DT, flush=True)"""
 
 STEPS = [0.001, 0.0005, 0.0002, 0.0001, 0.00005]  # s, of pymunk
 
@@ -157,95 +147,23 @@ def draw_errors(rows, file) -> None:
     figure.savefig(file, dpi=120)
 
 
-def open_and_draw(page, address) -> None:
-    """Open a page, and wait until the browser has drawn its first picture."""
-    page.goto(address)
-    is_bob = "shape?.constructor.name === 'sphere' && shape.visible"
-    page.wait_for_function(f"window.glowObjs?.some(shape => {is_bob})")
-    draw(page, True)
-
-
-@contextmanager
-def shown(browser, *command):
-    """Start a program, and show it in a new tab; yield its process, and the tab."""
-    with (
-        running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s") as process,
-        browser.new_page() as page,
-    ):
-        open_and_draw(page, re.search(r"http:\S+", process.stdout.readline())[0])
-        yield process, page
-
-
 def first_pictures(browser, times=5) -> None:
     """Print the seconds from the start of a program to its first picture, started this often."""
     commands = {"bare VPython": ("-c", "from vpython import sphere; sphere()"), "the cradle": ()}
     found = {name: [] for name in commands}
     for name, command in [*commands.items()] * times:
         start = time.perf_counter()
-        with shown(browser, *command):
+        starting = running(*command, VPYTHON_NO_LAUNCH_BROWSER="0", BROWSER="echo %s")
+        with starting as process, browser.new_page() as page:
+            page.goto(re.search(r"http:\S+", process.stdout.readline())[0])
+            is_bob = "shape?.constructor.name === 'sphere' && shape.visible"
+            page.wait_for_function(f"window.glowObjs?.some(shape => {is_bob})")
+            draw(page, True)
             found[name].append(time.perf_counter() - start)
     rows = []
     for name, seconds in found.items():
         rows.append([name, f"{min(seconds):.2f}", f"{median(seconds):.2f}"])
     show("Seconds to the first picture", ["program", "least", "median"], rows)
-
-
-def shares(browser, counts=(5, 20), waits=(3, 8)) -> None:
-    """Print how fast cradles with these counts of pendula move, and their share of a core.
-
-    They have a student's right functions, on our page and on bare VPython. Nothing is drawn. After
-    the first wait (s), it is measured for the second one.
-    """
-    rows = []
-    for count in counts:
-        with tempfile.TemporaryDirectory() as folder:
-            for name, program in students_programs(Path(folder, "starter"), count).items():
-                with shown(browser, program) as (process, page):
-                    draw(page, False)
-                    looks = [look(process, wait) for wait in waits]
-                span, spent, simulated = (b - a for a, b in zip(*looks, strict=True))
-                rows.append([name, count, f"{simulated / span:.2f}", f"{spent / span:.2f}"])
-    head = ["page", "pendula", "simulated s in 1 s", "share of a core"]
-    show("The functions of a student", head, rows)
-
-
-def students_programs(folder, count) -> dict[str, Path]:
-    """Make a starter with right functions and these pendula; return its program for each page.
-
-    Each program prints the simulated time (s).
-    """
-    # Not earlier: the grader's modules put a stand-in in VPython's place
-    from make_starter import make_starter
-    from students import change, MAKE, TICK, write
-
-    from grading.assignment import FUNCTIONS
-
-    make_starter(folder)
-    write(folder, *FUNCTIONS)
-    (folder / "newton_cradle_pends.csv").write_text(HEADER + GOOD * count)
-    ours = folder / "src" / PROGRAM.name
-    change(ours, MAKE, f"ticks = 0\n    {MAKE}")
-    change(ours, TICK, TICK + COUNT)
-    bare = ours.with_name("bare_run.py")
-    shutil.copy(ours, bare)
-    change(bare, "import begin_page", "import begin")
-    change(bare, "while is_running(pend_list):", "while True:\n        vpython.rate(1 / DT)")
-    change(bare, "ticks = 0", "import vpython\n\n    ticks = 0")
-    return {"ours": ours, "VPython's own": bare}
-
-
-def look(process, wait) -> tuple[float, float, float]:
-    """Wait (s); return the time, a process's processor time, and the time of its cradle (s)."""
-    until = time.perf_counter() + wait
-    now = simulated = 0.0
-    while now < until:
-        line = process.stdout.readline()
-        now = time.perf_counter()
-        if line[0].isdigit():  # not of a page's address
-            simulated = float(line)
-    # The user's and the system's
-    spent = map(int, Path(f"/proc/{process.pid}/stat").read_text().split()[13:15])
-    return now, sum(spent) / os.sysconf("SC_CLK_TCK"), simulated
 
 
 def show(title, head, rows) -> None:
@@ -274,7 +192,6 @@ def main() -> None:
     with sync_playwright() as driver:
         browser = driver.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         first_pictures(browser)
-        shares(browser)
 
 
 if __name__ == "__main__":
