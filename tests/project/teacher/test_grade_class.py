@@ -111,7 +111,7 @@ def test_a_run_that_ends_oddly_is_made_once_more_alone(tmp_path):
     outputs = {
         b"ann": [(0, sure)],
         b"bea": [(0, unsure), (0, sure)],
-        b"cem": [(0, b"[" * 10**6), (124, b'{"problems": 1, "text": ""}')],
+        b"cem": [(0, b"[" * 10**6), (137, b'{"problems": 1, "text": ""}')],
     }
 
     def run(submission, _):
@@ -124,7 +124,7 @@ def test_a_run_that_ends_oddly_is_made_once_more_alone(tmp_path):
     results = {}
     grade_class.grade_all(students, SimpleNamespace(run=run), results)
     assert [results[student]["grade"] for student in students] == ["B", "B", "none"]
-    assert results["cem"]["problems"] == ["no grade: the run took longer than 300 s"]
+    assert results["cem"]["problems"] == ["no grade: the run ended with status 137"]
     assert not any(outputs.values())
 
 
@@ -135,16 +135,14 @@ def test_what_a_solution_forges_is_short_no_formula_and_no_code_of_a_terminal(tm
     assert row.startswith("'@a;b,1000000000,'=1,")
     assert ""","a;'""=1\\x1b",'-x""" in row
     assert len(row) < 3000
-    text = (tmp_path / "@a;b.txt").read_text()
-    assert text.replace("\n", "").isprintable()
-    assert len(text) < 5000
+    assert (tmp_path / "@a;b.txt").read_text().replace("\n", "").isprintable()
 
 
 @on_posix
-@pytest.mark.engine
-def test_an_interrupted_class_keeps_what_is_graded_and_leaves_nothing(classroom):
+@pytest.mark.parametrize("how", ["--here", pytest.param("", marks=pytest.mark.engine)])
+def test_an_interrupted_class_keeps_what_is_graded_and_leaves_nothing(classroom, how):
     """The signal comes three times."""
-    classroom.how = []
+    classroom.how = how.split()
     classroom.hand_in("ann", "")
     for student in ("bea", "cem", "dan"):
         classroom.hand_in(student, ENDLESS)
@@ -159,54 +157,35 @@ def test_an_interrupted_class_keeps_what_is_graded_and_leaves_nothing(classroom)
     assert printed.startswith("1 of 4 solutions are in ")
 
 
-@on_posix
-def test_a_class_that_is_interrupted_at_once_ends_at_once(classroom):
-    """The starter is graded."""
-    classroom.hand_in("ann", "")
-    process = classroom.start()
-    assert "plain process" in process.stderr.readline()
-    process.terminate()
-    status, printed, errors = end(process)
-    assert (status, printed) == (128 + signal.SIGTERM, "")
-    assert "Traceback" not in errors
-
-
-# A program that stands in for podman: it has an image, and runs nothing.
+# A program that stands in for podman and docker: one of its commands fails.
 ENGINE = """#!/bin/sh
-case $1 in
-    info) ;;
-    build) echo image ;;
-    *) echo "cannot $1" >&2; exit 125 ;;
-esac
+[ $1 != {} ] || {{ echo is off >&2; exit 1; }}
+echo image
 """
-OFF = "#!/bin/sh\necho is off >&2\nexit 1\n"
-# It has a result for the first solution, the starter
-ENDS = f"run) echo '{json.dumps(RESULT)}'; /bin/rm $0 ;;\n    *)"
 ENGINES = {
     "": "No containers: podman is not installed; docker is not installed; on macOS and Windows, ",
-    OFF: "No containers: podman does not run: is off; docker does not run: is off; on macOS ",
-    ENGINE: "cannot run\nThe starter: no grade: the run ended with status 125\n",
-    ENGINE.replace("build)", "build-)"): "cannot build\nThe image: cannot be built\n",
-    ENGINE.replace("*)", ENDS): "podman: No such file",
+    "info": "No containers: podman does not run: is off; docker does not run: is off; on macOS ",
+    "build": "is off\nThe image: cannot be built\n",
+    "run": "is off\nis off\nThe starter: no grade: the run ended with status 1\n",
 }
 
 
 @on_posix
-@pytest.mark.parametrize(("script", "message"), ENGINES.items())
-def test_without_an_engine_one_line_says_why(classroom, monkeypatch, script, message):
-    """The script is podman and docker."""
+@pytest.mark.parametrize("command", ENGINES)
+def test_without_an_engine_one_line_says_why(classroom, monkeypatch, command):
     classroom.hand_in("ann", "")
     classroom.how = []
     folder = classroom.folder / "bin"
     monkeypatch.setenv("PATH", str(folder))
-    if script:
+    if command:
+        script = ENGINE.format(command)
         put_files(folder, {"podman": script, "docker": script})
         for program in folder.iterdir():
             program.chmod(0o755)
     status, _, errors = end(classroom.start())
     assert status == 2
-    assert errors.startswith(message)
-    assert errors.count("\n") == (message.count("\n") or 1)
+    assert errors.startswith(ENGINES[command])
+    assert errors.count("\n") == max(1, ENGINES[command].count("\n"))
 
 
 WRONG = [
@@ -288,7 +267,6 @@ SPOILED = {
     "time": "os.kill(-1, signal.SIGSTOP)",
     "disk": "for i in range(10): open(f'{here}/{i}', 'wb').write(bytes(9_000_000))",
     "output": "open(f'/proc/{os.getppid()}/fd/1', 'wb').write(b'x' * 10**8)",  # that of one_run.py
-    "forged": "os.symlink('/dev/zero', here + '/grade.json')\nos.abort()",
 }
 
 
