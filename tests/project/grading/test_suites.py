@@ -1,5 +1,7 @@
 """The graded suites reject wrong solutions, accept correct ones, and name the mistake."""
 
+import re
+
 from grading.begin import ROOT
 
 import pytest
@@ -8,8 +10,9 @@ from programs import slow_except
 from right_solutions import PLAIN, RIGHT
 from wrong_solutions import WRONG
 
-from grading import comparing
+from grading import comparing, grader
 from grading.assignment import FUNCTIONS, PROGRAM
+from grading.hints import ROWS
 from grading.outcomes import FAILED, PASSED, WAITING
 from grading.students_code import is_watched
 from grading.words import WORDS
@@ -38,6 +41,31 @@ def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, f
         assert len(outcome.story.wrong) <= 20
         assert outcome is failed[0] or not outcome.story.below
     assert words in story_of(failed[0])
+
+
+@pytest.mark.slow
+def test_each_check_and_each_hint_has_a_wrong_solution(solve, monkeypatch):
+    # test_subject.py shows files that import each other
+    hints = {hint.partition("\\1")[0] for kind, _, hint in ROWS if kind is not ImportError}
+    compared = grader.compared
+
+    def noting(*arguments, results=(), **options):
+        # A mistake in a formula has a hint for the first one, the second one and both
+        hints.update(re.split("formulas?, ", hint)[-1] for _, hint in results)
+        return compared(*arguments, results=results, **options)
+
+    monkeypatch.setattr(grader, "compared", noting)
+    failed = set()
+    stories = ""
+    for (function, _), version in WRONG.items():
+        solve(function, version)
+        for check, outcome in outcomes_of(function, users=False).items():
+            if outcome.state == FAILED:
+                failed.add(check)
+                stories += story_of(outcome)
+        solve(function, PLAIN[function])
+    assert {*CHECKS} - failed == set()
+    assert {hint for hint in hints if hint not in stories} == set()
 
 
 WAYS = [(name, way) for name in FUNCTIONS for way in ("plainly", *RIGHT[name])]
