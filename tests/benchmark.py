@@ -25,7 +25,7 @@ import vpython
 from exact_cradle import apart, exact_outer_angles, outer_angles
 from pages import ARGUMENTS, CHROMIUM, draw
 from programs import running
-from whole_cradles import advance, do_one_by_one, make_row
+from whole_cradles import advance, do_ticks, make_row
 
 from support.constants import DT, G, R_PARAM, THETA_INIT
 from support.pendulum import BUFFER
@@ -43,7 +43,7 @@ def our_cradle(dt, count=5):
 def slow_cradle(count):
     """The same in single ticks of DT, as the programs do them for a changed function."""
     pend_list = make_row(count, THETA_INIT)
-    return lambda seconds: do_one_by_one(pend_list, R_PARAM, DT, G, round(seconds / DT))
+    return lambda seconds: do_ticks(pend_list, False, R_PARAM, DT, G, round(seconds / DT))
 
 
 def pymunk_cradle(dt, corrected):

@@ -34,7 +34,6 @@ class Cradle:
     theta_bob = "bob"  # what a sentence calls the one at the end of the cord with theta
     dt = DT  # s
     cord_count = 1  # of a pendulum; each cord has one bob
-    cords_length = R_PARAM  # from an axle to the centre of the lowest bob at rest (m)
     # For each cord, the name of its release angle, and the least and the largest one (degrees).
     angle_limits: Mapping[str, tuple[float, float]] = {"release_angle": (0, 180)}
     # A pendulum's keys of its angles (rad), the upper cord first, and of their rates (rad/s).
@@ -47,6 +46,8 @@ class Cradle:
     collide_names: Sequence[str] = ("handle_two_bobs",)
 
     def __init__(self) -> None:
+        # From an axle to the centre of the lowest bob at rest (m)
+        self.cords_length = self.cord_count * R_PARAM
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
         self.hidden: Hidden | None = None  # a class finds it

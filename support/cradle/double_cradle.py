@@ -18,7 +18,6 @@ class DoubleCradle(Cradle):
     theta_bob = "upper bob"
     dt = DOUBLE_DT
     cord_count = 2
-    cords_length = 2 * R_PARAM
     angle_limits = {"angle_theta": (0, 180), "angle_phi": (-180, 180)}
     angle_keys = ("theta", "phi")
     rate_keys = ("omega", "phi_omega")

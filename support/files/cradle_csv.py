@@ -45,8 +45,8 @@ class Snapshot:
         return str(self.filepath)
 
     def __eq__(self, other: Any) -> bool:
-        """Return whether two have the same content, or could not be read for the same reason."""
-        return (self.data, self.error) == (other.data, other.error)
+        """Return whether two have the same content; a file that cannot be read has none."""
+        return self.data == other.data
 
     def rows(self) -> Iterator[CsvRow]:
         """Yield the rows, the header first.

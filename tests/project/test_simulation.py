@@ -19,7 +19,6 @@ def tick():
 LOOPS = {  # a loop, and its ticks
     "while is_running(pend_list): tick()": 3,
     "while True: rate(1 / 1e-4); tick()": 3,
-    "for _ in range(9): rate(100); tick()": 3,
     "for _ in range(2): rate(100); tick()": 2,
     "while is_running(pend_list): tick(); rate(1)": 3,
     "while True: is_running(pend_list); tick()": 4,  # it does not hear the answer

@@ -78,7 +78,7 @@ def pendulum_rows(draw):
 
 DT, G = 1e-4, 9.81  # s, m/s^2: these tests do not depend on the shipped constants
 
-CALLS = st.fixed_dictionaries(  # of do_at_once
+CALLS = st.fixed_dictionaries(  # of do_ticks
     {
         "r_param": st.sampled_from([R, R, R, 2 * R]),
         "dt": st.sampled_from([DT] * 8 + [10 * DT, 1000 * DT, 0, -DT]),

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 from strategies import CALLS, HAIRS, pendulum_rows, random_examples
-from whole_cradles import do_at_once, do_one_by_one
+from whole_cradles import do_ticks
 
 from grading.cradles import hang, hang_row, R
 from src import visualize_cradle_run
@@ -29,12 +29,15 @@ def state(pend_list):
 def same_hits(pendula, **call) -> int:
     """Check that many_ticks moves pendula like single ticks, to the last bit; return the hits.
 
-    pendula has the arguments of hang for each, call those of do_at_once.
+    pendula has the arguments of hang for each, call those of do_ticks.
     """
     found = []
-    for do in do_at_once, do_one_by_one:
+    for at_once in (True, False):
         pend_list = [hang(**values) for values in pendula]
-        hits = [(hit[:4], state(hit.before), state(hit.after)) for hit in do(pend_list, **call)]
+        hits = [
+            (hit[:4], state(hit.before), state(hit.after))
+            for hit in do_ticks(pend_list, at_once, **call)
+        ]
         found.append((hits, state(pend_list)))
     assert found[0] == found[1]
     return len(found[0][0])

@@ -1,7 +1,7 @@
 """More cradles for the project's tests: CSV text, double pendula made by hand, and live cradles."""
 
 from argparse import Namespace
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from itertools import accumulate, combinations
 from math import cos, pi, sin, sqrt
 from types import SimpleNamespace
@@ -177,9 +177,13 @@ def make_row(count, theta=0.0, **values) -> list[dict]:
     return row
 
 
-@contextmanager
-def noting(pend_list, separating=False):
-    """Play these pendula by the functions of src/; yield the cradle and its Hits."""
+def do_ticks(
+    pend_list, at_once, r_param=R, dt=1e-4, g=9.81, ticks=1000, separating=False
+) -> list[Hit]:
+    """Do `ticks` ticks with the functions of src/; return the hits.
+
+    at_once is whether the fast path does them; else newton_cradle_tick does.
+    """
     cradle = Cradle()
     cradle.find_functions(vars(visualize_cradle_run))
     cradle.pend_list = pend_list
@@ -187,31 +191,21 @@ def noting(pend_list, separating=False):
     hits = Hits(cradle, SimpleNamespace(settings=settings))
     hits.listen()
     try:
-        yield cradle, hits
+        if at_once:
+            many_ticks(cradle, hits, ticks, {"R_PARAM": r_param, "DT": dt, "G": g})
+        else:
+            for tick in range(1, ticks + 1):
+                hits.tick = tick
+                visualize_cradle_run.newton_cradle_tick(pend_list, r_param, dt, g)
     finally:
         hits.stop()
-
-
-def do_at_once(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, separating=False) -> list[Hit]:
-    """Let the fast path do `ticks` ticks; return the hits."""
-    with noting(pend_list, separating) as (cradle, hits):
-        many_ticks(cradle, hits, ticks, {"R_PARAM": r_param, "DT": dt, "G": g})
-    return hits.noted
-
-
-def do_one_by_one(pend_list, r_param=R, dt=1e-4, g=9.81, ticks=1000, separating=False) -> list[Hit]:
-    """Call newton_cradle_tick `ticks` times; return the hits."""
-    with noting(pend_list, separating) as (_, hits):
-        for tick in range(1, ticks + 1):
-            hits.tick = tick
-            visualize_cradle_run.newton_cradle_tick(pend_list, r_param, dt, g)
     return hits.noted
 
 
 def hits_in(pend_list, seconds, dt=DT) -> list[Hit]:
     """Advance the cradle as the programs do, in ticks of dt (s); return its hits."""
-    do = do_at_once if is_shipped(vars(visualize_cradle_run)) else do_one_by_one
-    return do(pend_list, R_PARAM, dt, G, round(seconds / dt))
+    at_once = is_shipped(vars(visualize_cradle_run))
+    return do_ticks(pend_list, at_once, R_PARAM, dt, G, round(seconds / dt))
 
 
 def advance(pend_list, seconds, dt=DT) -> list[float]:

@@ -155,7 +155,7 @@ def saves(src):
 @pytest.mark.parametrize("case", STEPS)
 def test_only_what_changes_a_file_for_good_is_a_save(saves, case):
     expected, *steps = STEPS[case]
-    found = 0
+    found = saves.wait(1)
     for step in steps:
         step(saves.root)
         found += saves.wait(0.4)

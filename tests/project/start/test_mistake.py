@@ -6,6 +6,7 @@ import pytest
 
 from support.cradle.motion import Motion
 from support.start import mistake
+from support.start.end import SignalError
 
 PROGRAM = """
 from src.special_cradles import make_newton_cradle as make
@@ -61,6 +62,11 @@ def test_a_mistake_of_the_project_is_reported_in_full(main, csv, monkeypatch):
     assert status == 1
     assert "players.py" in stderr
     assert "ZeroDivisionError" in stderr
+
+
+def test_of_ctrl_c_outside_of_the_students_functions_nothing_is_said(capsys):
+    mistake.report_endless_loop(SignalError(0))
+    assert capsys.readouterr().err == ""
 
 
 def test_a_file_that_python_cannot_read_is_reported_with_its_own_place(tmp_path, capsys):

@@ -51,10 +51,6 @@ MISTAKES = {
         ("D", SWINGING, "from math", "raise NotImplementedError('later')\nfrom math"),
         (1, "NotImplementedError: later"),
     ),
-    "in a function that is provided": (
-        ("DCBA", SWINGING, "    show_pendulum(", "    raise NotImplementedError("),
-        (1, "NotImplementedError: ("),
-    ),
 }
 
 

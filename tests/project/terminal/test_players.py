@@ -86,7 +86,7 @@ def test_a_signal_in_a_loop_without_end_names_it(main, csv, monkeypatch, write_p
 @pytest.mark.parametrize(
     ("dt", "line", "count", "last", "every"),
     [
-        (DT, "0.025", 3, 0.02, 0.01),
+        (DT, "0.09", 10, 0.09, 0.01),  # 899.99999999999999 ticks
         (3e-4, "1.4", 142, 1.3959, 0.0099),  # nearer to 0.01 than 0.0102
     ],
 )
