@@ -12,7 +12,6 @@ from grading.subject import Each, NOTHING, Subject, What
 from grading.words import form_of, plural, text_of
 
 NOT_CALLED = "A name without ( ) is the function itself, and not what a call of it gives."
-OTHER_ORDER = "The results stand in the other order, and one of them is wrong, too."
 LONG = 60  # characters; of a longer list, a message shows only the first difference
 
 # Errors of a check that reads a value of the wrong form.
@@ -71,10 +70,6 @@ def hint_for_result(found: Any, expected: Any, results: Iterable[tuple[Any, str]
     hint = known_hint(found, results)
     if hint or not are_alike(found, expected):
         return hint
-    other = found[::-1]
-    if len(found) == 2 and same(other[0], expected[0]) != same(other[1], expected[1]):
-        hint = known_hint(other, results)
-        return f"{OTHER_ORDER} {hint}" if hint else ""
     hints = []
     for i, part in enumerate(expected):
         if not same(found[i], part):

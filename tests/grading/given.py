@@ -16,8 +16,7 @@ GIVEN_FUNCTIONS = "tests/grading/given_functions.json"
 def changed_given(folder: Path = ROOT) -> list[str]:
     """Return a sentence for each given function that is not as in the starter.
 
-    Comments, docstrings and annotations do not count. Nothing is said in the project itself, which
-    is no starter.
+    Comments do not count. Nothing is said in the project itself, which is no starter.
     """
     sources = folder / GIVEN_FUNCTIONS
     given = json.loads(sources.read_bytes()) if sources.is_file() else {}
@@ -52,26 +51,8 @@ def definitions(file: Path, name: str) -> list[Any]:
     return [statement for statement in module.body if getattr(statement, "name", "") == name]
 
 
-class Bare(ast.NodeTransformer):
-    """Takes docstrings and annotations away."""
-
-    def visit_FunctionDef(self, node: ast.FunctionDef) -> Any:  # noqa: N802
-        node.returns = None
-        if ast.get_docstring(node):
-            node.body[0] = ast.Pass(lineno=node.lineno)
-        return self.generic_visit(node)
-
-    def visit_arg(self, node: ast.arg) -> Any:
-        node.annotation = None
-        return node
-
-    def visit_AnnAssign(self, node: ast.AnnAssign) -> Any:  # noqa: N802
-        return ast.Assign([node.target], node.value or node.target, lineno=node.lineno)
-
-
 def difference(given: Any, yours: Any) -> int | None:
     """Return the line of the first statement in which a function is not as given, or None."""
-    given, yours = Bare().visit(given), Bare().visit(yours)
     if ast.dump(given) == ast.dump(yours):
         return None
     for (_, given_code), (line, code) in zip(rows_of(given), rows_of(yours), strict=False):

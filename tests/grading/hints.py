@@ -5,7 +5,6 @@ What the values were at the error stands in the table of the code.
 
 import linecache
 import re
-from contextlib import suppress
 from pathlib import Path
 from types import FrameType
 from typing import Any
@@ -38,16 +37,6 @@ ROWS: list[tuple[Any, str, str]] = [
 ]
 # fmt: on
 
-# Other kinds of files than Python: by their first characters, the kind.
-OTHER_FORMS = {
-    "<": "a web page. Download the file itself",
-    "{\\rtf": "a text of a word processor (RTF). Save it as plain text",
-}
-CONFLICT = "<<<<<<< ", ">>>>>>> "  # git writes lines that begin so
-BOTH_VERSIONS = (
-    "two versions, put together by git. Choose one, and delete the lines with <<<, === and >>>"
-)
-
 
 def of_error(error: BaseException, frames: list[tuple[FrameType, int]], function: str) -> str:
     """Return what is known about an error of Python's in a function, or "".
@@ -56,7 +45,7 @@ def of_error(error: BaseException, frames: list[tuple[FrameType, int]], function
     stopped the import of a file.
     """
     if isinstance(error, SyntaxError):
-        return other_form(error) or hint_of_row(error, error.msg)
+        return hint_of_row(error, error.msg)
     call = wrong_call(frames, function)
     if call and not isinstance(error, FileNotFoundError):
         return call
@@ -95,15 +84,3 @@ def wrong_call(frames: list[tuple[FrameType, int]], function: str) -> str:
     names = ", ".join(code.co_varnames[: code.co_argcount])
     call = f"This line calls {code.co_name} with a value that it cannot use."
     return f"{call} It takes, in this order: {names}."
-
-
-def other_form(error: SyntaxError) -> str:
-    """Return what a file is that Python cannot read, if it is no Python, and what to do, or ""."""
-    with suppress(OSError):
-        text = Path(f"{error.filename}").read_text(encoding="utf-8", errors="replace")
-        if any(line.startswith(CONFLICT) for line in text.splitlines()):
-            return f"This file is no Python: it is {BOTH_VERSIONS}."
-        for start, form in OTHER_FORMS.items():
-            if text.lstrip("\ufeff \n\t").startswith(start):
-                return f"This file is no Python: it is {form}."
-    return ""

@@ -1,12 +1,10 @@
 """The graded suites in pytest, as a plugin: each check is an item, and a screen ends a run.
 
-pyproject.toml names the plugin. With pytest-xdist (-n 2), other processes run the tests and report
-to the first one, which shows the table.
+pyproject.toml names the plugin. With pytest-xdist (-n 2), other processes run the checks, and there
+is no screen.
 """
 
 import json
-import os
-import pickle
 import sys
 from collections.abc import Iterator
 from os import _exit as end_process  # a check takes os._exit away
@@ -26,14 +24,9 @@ from grading.grade import Results
 from grading.grader import Grader
 from grading.outcomes import FAILED, FAULT, Grading, PASSED, WAITING
 from grading.screen import Line, Screen
-from support.constants import NC_FP
-from support.files.cradle_csv import Snapshot
-from support.files.data_file import whole_file
-from support.files.valid_cradle import read_cradle
 
 GRADING = pytest.StashKey[Grading]()
-RESULTS = pytest.StashKey[Results]()  # of the checks of this run, as they are reported
-OUTCOME = "outcome of a check"  # the name under which a report of pytest has it
+RESULTS = pytest.StashKey[Results]()  # of the checks that this run has had
 TIERS = {tier.split()[0]: tier for tier in SUITES}  # as --tier takes them
 
 
@@ -98,7 +91,7 @@ class Item(pytest.Item):
 
     def runtest(self) -> None:
         outcome = self.config.stash[GRADING].judge(self.check)
-        self.user_properties.append((OUTCOME, pickle.dumps(outcome)))
+        self.config.stash[RESULTS].outcomes[self.name] = outcome
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
                 self.session.shouldfail = "stopping at the first check that waits"
@@ -111,20 +104,13 @@ class Item(pytest.Item):
 
 
 def name_of(report: Any) -> str:
-    """Return the name of the test that a report, or a warning, is about."""
+    """Return the name of the test that a report is about."""
     return f"{report.nodeid}".rpartition("::")[2]
 
 
 def pytest_report_teststatus(report: Any, config: pytest.Config) -> tuple[str, str, str] | None:
-    """Take the outcome of a check out of its report, which may come from another process.
-
-    Give a check that waits its own letter and word.
-    """
-    outcomes = config.stash[RESULTS].outcomes
-    for key, pickled in report.user_properties:
-        if key == OUTCOME:
-            outcomes[name_of(report)] = pickle.loads(pickled)
-    outcome = outcomes.get(name_of(report))
+    """Give a check that waits its own letter and word."""
+    outcome = config.stash[RESULTS].outcomes.get(name_of(report))
     if report.skipped and outcome and outcome.state == WAITING:
         return WAITING, "w", "WAITING"
     return None
@@ -133,8 +119,7 @@ def pytest_report_teststatus(report: Any, config: pytest.Config) -> tuple[str, s
 def pytest_sessionfinish(session: Any) -> None:
     """Write the grade.
 
-    The exit status is 1 also if checks wait, but not for those of the honor roll, which is extra;
-    it is another one if the file cannot be written.
+    The exit status is 1 also if checks wait, but not for those of the honor roll, which is extra.
     """
     config = session.config
     if hasattr(config, "workerinput"):  # a process of xdist's, which ran only some of the checks
@@ -146,14 +131,7 @@ def pytest_sessionfinish(session: Any) -> None:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     file = config.option.grade_json
     if file and results.outcomes:
-        try:
-            graded = grade_of_run(config)
-            with whole_file(file) as out:
-                json.dump(graded, out, indent=4)
-                out.write("\n")
-        except OSError as error:
-            session.exitstatus = pytest.ExitCode.USAGE_ERROR
-            config.not_written = f"--grade-json: {file}: {error.strerror}"
+        Path(file).write_text(json.dumps(grade_of_run(config), indent=4))
 
 
 def grade_of_run(config: pytest.Config) -> dict:
@@ -180,15 +158,10 @@ def screen_of_run(config: pytest.Config) -> list[Line]:
     results = config.stash[RESULTS]
     if not results.outcomes:
         return []
-    notes = changed_given()
-    try:
-        read_cradle(Snapshot(NC_FP))
-    except ValueError as error:  # the checks have files of their own
-        notes.append(f"your CSV has a mistake. {error}".replace(f"{config.rootpath}{os.sep}", ""))
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     failed = getattr(reporter, "stats", {}).get("failed", [])
     printed = {name_of(failure): failure.capstdout for failure in failed}
-    screen = Screen(results, get_terminal_size().columns, notes)
+    screen = Screen(results, get_terminal_size().columns, changed_given())
     return screen.lines(printed)
 
 
@@ -196,15 +169,11 @@ def screen_of_run(config: pytest.Config) -> list[Line]:
 def pytest_terminal_summary(terminalreporter: Any, config: Any) -> Iterator[None]:
     """Show what students read below everything else."""
     outcomes = config.stash[RESULTS].outcomes
-    others = {}  # pytest shows these only
-    for kind in ("failed", "warnings"):
-        reports = terminalreporter.stats.get(kind, [])
-        others[kind] = [report for report in reports if name_of(report) not in outcomes]
-    with patch.dict(terminalreporter.stats, others):
+    failed = terminalreporter.stats.get("failed", [])
+    others = [report for report in failed if name_of(report) not in outcomes]
+    with patch.dict(terminalreporter.stats, failed=others):  # pytest shows these only
         yield
     terminalreporter.currentfspath = None  # no line is begun: or an empty one would be put in
     for line in screen_of_run(config):
         markup = {line.color: True} if line.color else {}
         terminalreporter.line(line.text, **markup)
-    if hasattr(config, "not_written"):
-        terminalreporter.write_line(config.not_written, red=True)

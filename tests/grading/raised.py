@@ -2,12 +2,10 @@
 
 import ast
 import re
-import sys
 import traceback
 from collections.abc import Iterable
-from contextlib import redirect_stderr, suppress
+from contextlib import suppress
 from functools import cache
-from io import StringIO
 from linecache import getline, getlines
 from pathlib import Path
 from types import FrameType
@@ -91,12 +89,8 @@ class StoppedError(Exception):
 
 def text_of(error: BaseException) -> str:
     """Return the kind of an error and its text, also what Python guesses: "Did you mean: ...?"."""
-    text = traceback.format_exception_only(error)[-1].strip()
-    printed = StringIO()
-    with redirect_stderr(printed):
-        sys.__excepthook__(type(error), error, error.__traceback__)
-    last = printed.getvalue().strip().rpartition("\n")[2]
-    return last if last.startswith(text) else text
+    *_, text = traceback.TracebackException.from_exception(error).format_exception_only()
+    return text.strip()
 
 
 def hint_about(

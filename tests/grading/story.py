@@ -1,9 +1,7 @@
 """The story of a mistake: a failed check is performed again, and its wrong call is traced."""
 
-import warnings
 from contextlib import redirect_stderr, redirect_stdout, suppress
 from io import StringIO
-from linecache import getlines
 from numbers import Real
 from typing import Any, NamedTuple
 
@@ -42,13 +40,12 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
     trace = Trace(WORDS, lambda code: is_watched(code, check.function), is_named)
     errors = [error]
     if can_repeat(grader, error):
-        trace.is_endless = is_endless(error)
         again = ask_again(grader, check, trace)
-        if not again:
-            facts = ["Called again with the same values, it gave the right result."]
-        elif not trace.is_endless:
+        if again:
             errors = again
             error = again[0]
+        else:
+            facts = ["Called again with the same values, it gave the right result."]
     rows = rows_of(trace, wanted_in(error)) if not facts and not trace.fault else []
     if rows:
         facts = facts_of(check, error, trace)
@@ -69,11 +66,6 @@ def can_repeat(grader: Grader, error: WrongError) -> bool:
     return not took_memory and not limits.is_debugged and limits.stopped_by != CLOCK
 
 
-def is_endless(error: WrongError) -> bool:
-    """Return whether a call took too much time."""
-    return bool(error.raised and error.raised.limit)
-
-
 def ask_again(grader: Grader, check: Check, trace: Trace) -> list[WrongError]:
     """Perform a check once more; return its wrong calls. The first one is traced.
 
@@ -81,7 +73,7 @@ def ask_again(grader: Grader, check: Check, trace: Trace) -> list[WrongError]:
     """
     try:
         with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
-            grader.perform(check, trace, goes_on=not trace.is_endless)
+            grader.perform(check, trace, goes_on=True)
     except (Exception, KeyboardInterrupt):  # a check may need right results to go on
         if grader.limits.is_pressed:
             raise
@@ -197,7 +189,6 @@ def facts_of(check: Check, error: WrongError, trace: Trace) -> list[str]:
     facts = []
     if "relative_filepath" in function.parameters and "NC_FP" in names:
         facts.append("Your function names NC_FP: the file to read is relative_filepath.")
-    facts += warnings_in(check.function)
     if error.raised:
         return facts
     facts += unchanged(error, trace)
@@ -219,18 +210,3 @@ def unchanged(error: WrongError, trace: Trace) -> list[str]:
             came = f" It came so from your call of {source}." if source else ""
             return [f"No line of your function has changed {subject}.{came}"]
     return []
-
-
-def warnings_in(function: str) -> list[str]:
-    """Return what Python warns of when it reads the lines of a function."""
-    file = ROOT / FUNCTIONS[function].file
-    code = code_of(function)
-    lines = {line for _, _, line in code.co_lines()} if code else set()
-    with warnings.catch_warnings(record=True) as found:
-        warnings.simplefilter("always")
-        compile("".join(getlines(f"{file}")), f"{file}", "exec")
-    return [
-        f"Python warns of line {warning.lineno}: {warning.message}"
-        for warning in found
-        if warning.lineno in lines
-    ]

@@ -69,8 +69,6 @@ class StudentsCode:
                 shutil.copyfile(file, folder / file.name)
         self.shipped = folder / "newton_cradle_pends.csv"
         self.shipped.write_text(SHIPPED_CSV)
-        # Whether the last call has changed this CSV, which was then put back
-        self.has_written = False
 
     def replace(self, file: str) -> bool:
         """Let other files import from this one, which Python cannot read.
@@ -156,15 +154,7 @@ class StudentsCode:
                 raise  # somebody has ended the debugger, and with it pytest
             raise StoppedError(error, called, limits.over_limit(error)) from None
         finally:
-            self.put_back()
-
-    def put_back(self) -> None:
-        """Set has_written; if it is True, make the grader's CSV again."""
-        self.has_written = True
-        if self.shipped.is_file():
-            self.has_written = self.shipped.read_text(errors="replace") != SHIPPED_CSV
-        if self.has_written:
-            self.shipped.write_text(SHIPPED_CSV)
+            self.shipped.write_text(SHIPPED_CSV)  # the call may have changed it
 
 
 def code_of(function: str) -> CodeType | None:

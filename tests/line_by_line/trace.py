@@ -53,10 +53,6 @@ class Visit:
         self.error: BaseException | None = None  # that it raised
 
 
-class EndlessError(BaseException):
-    """The trace of a function without end is long enough."""
-
-
 class Call:
     """A call of a function: its arguments as they arrived, and what its statements did."""
 
@@ -98,17 +94,14 @@ class Trace:
         words: Words,
         is_watched: Callable[[CodeType], bool],
         is_named: Callable[[CodeType], bool] = lambda code: False,
-        is_endless: bool = False,
     ):
         """The lines of a function are watched if is_watched(code) is true.
 
-        If is_named(code) is true, only its arguments and its result are kept. is_endless: after
-        MOST_EVENTS lines, raise an EndlessError in the function.
+        If is_named(code) is true, only its arguments and its result are kept.
         """
         self.words = words
         self.is_watched = is_watched
         self.is_named = is_named
-        self.is_endless = is_endless
         self.known: dict[CodeType, dict[int, ast.stmt]] = {}
         self.all_calls: dict[FrameType, Call] = {}
         # Pairs of a function that is named, and not watched, and what it has given
@@ -165,8 +158,6 @@ class Trace:
         self.events += event != "call"  # of functions that are not watched, there is no other one
         if self.is_full:
             frame.f_trace_lines = False
-            if self.is_endless:
-                raise EndlessError
             return None
         try:
             if event != "call":

@@ -17,8 +17,8 @@ SHOW = "    show_pendulum(pend_dict, r_param)\n"
 # A file, a text in a given function of it, and what it becomes; then the statement whose line is
 # named. Nothing is said of harmless changes.
 CHANGED = [
-    (SWING, THETA, "    # It\n    pend_dict['theta']: float = theta\n", ""),
-    (SWING, DEF, f"def swing_update(): pass\n{DEF.replace(' -> None', '')}", ""),  # the last counts
+    (SWING, THETA, "    # It\n    pend_dict['theta'] = (theta)\n", ""),
+    (SWING, DEF, f"def swing_update(): pass\n{DEF}", ""),  # the last counts
     (SWING, f"{DEF}    ", "", ""),  # Python cannot read the file
     (SWING, DEF, DEF.replace("swing", "my"), "none"),
     (SWING, SHOW, "", '"] = theta'),

@@ -10,7 +10,7 @@ import pytest
 from graded import CHECKS, GRADER, outcomes_of
 from programs import python, ROOT, SECONDS, slow_except
 from right_solutions import PLAIN
-from students import change, COLUMNS, PYTEST, pytest_in, write
+from students import COLUMNS, PYTEST, pytest_in, write
 from wrong_solutions import WRONG
 
 from grading.assignment import FUNCTIONS, SUITES
@@ -29,30 +29,6 @@ def test_with_x_a_fresh_starter_stops_at_the_first_function(starter):
     assert place.startswith("extract_and_convert in src/pds_helper.py, line ")
     assert rows[-3] == f"Next:  {place}."
     assert rows[-1].startswith("1 waiting in ")
-
-
-@pytest.mark.parametrize("options", slow_except([""], ["", "-n 2"]))
-def test_a_mistake_is_told_once_on_a_screen_and_nothing_stands_above_it(starter, options):
-    """Also with other mistakes, one in the CSV, a warning of Python's, and in two processes."""
-    wrong = dedent(PLAIN["angle_update"]).replace("+ -g", "+ g")
-    write(
-        starter,
-        *FUNCTIONS,
-        angle_update=f"print('here')\nif g is 7: pass\n{wrong}",
-        handle_collision="return omega1, omega2",
-    )
-    change(starter / "newton_cradle_pends.csv", "yellow", "grey")
-    status, rows = pytest_in(starter, *options.split(), "--grade-json", "grade.json")
-    assert status == 1
-    assert '"grade": "D"' in (starter / "grade.json").read_text()
-    begin = [row.strip("_ ") for row in rows].index("angle_update in src/swinging.py")
-    assert options or begin == 1
-    assert len(rows[begin:]) < SCREEN
-    text = " ".join(" ".join(rows).split())
-    assert text.count("with + in front") == 1
-    assert "seen Python warns of line" in text
-    assert "printed here" in text
-    assert "Note: your CSV has a mistake." in text
 
 
 LABELS = (

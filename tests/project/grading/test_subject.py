@@ -5,7 +5,6 @@ from programs import slow_except
 from students import change, COLUMNS, pytest_in, write
 
 from grading.assignment import FUNCTIONS
-from grading.hints import of_error
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
 FILE = "src/swinging.py"
@@ -34,18 +33,3 @@ def test_of_a_file_that_python_cannot_read_pytest_says_this_and_the_grade(starte
     assert "C             0 of 6 points: 1 failed, 5 wait for src/swinging.py" in rows
     assert "A            12 of 12 points" in rows  # the other files are judged without it
     assert rows[-1].startswith("1 failed, ")
-
-
-NO_PYTHON = {  # the content of a file, and the hint
-    "<!DOCTYPE html>\n<html>": "This file is no Python: it is a web page.",
-    "x = 1\n<<<<<<< HEAD\nx = 2\n": "This file is no Python: it is two versions",
-}
-
-
-@pytest.mark.parametrize("content", NO_PYTHON)
-def test_a_file_that_is_no_python_is_named_as_what_it_is(tmp_path, content):
-    file = tmp_path / "swinging.py"
-    file.write_text(content)
-    with pytest.raises(SyntaxError) as raised:
-        compile(content, file, "exec")
-    assert of_error(raised.value, [], "").startswith(NO_PYTHON[content])

@@ -11,7 +11,7 @@ import pytest
 from programs import python, ROOT
 
 from line_by_line.table import fitting, Row, rows_of, Wanted
-from line_by_line.trace import EndlessError, Trace
+from line_by_line.trace import Trace
 from line_by_line.words import Words
 
 FILE = "lists.py"
@@ -92,7 +92,7 @@ def expected_words(source):
     return words
 
 
-def trace_of(source, a, is_endless=False):
+def trace_of(source, a):
     """Return the Trace of a call of the first function."""
     source = dedent(HEAD + re.sub("#.*", "", source))
     linecache.cache[FILE] = len(source), None, source.splitlines(True), FILE
@@ -102,7 +102,6 @@ def trace_of(source, a, is_endless=False):
         Words(),
         lambda code: code.co_filename == FILE and code.co_name != "half",
         lambda code: code.co_name == "half",
-        is_endless,
     )
     with suppress(Exception), trace.on():
         scope["first"](a)
@@ -130,11 +129,6 @@ def test_left_out_are_helpers_then_what_is_not_like_the_wrong_value_from_the_mid
     assert [line[:8].strip() for line in lines] == ["2", "3", "", "5"]
     assert fitting([Row(["1", "2", "3"], 2)], 2) == (["1", "2 ..."], 0)
     assert fitting([Row(["1"], 1), Row(["2"], 0)], 0) == (["2"], 1)
-
-
-def test_a_call_without_end_is_ended_by_the_trace():
-    with pytest.raises(EndlessError):
-        trace_of("     while a: pass", [1], is_endless=True)
 
 
 def test_a_fault_of_the_trace_is_not_the_functions(monkeypatch):
