@@ -4,7 +4,7 @@ import os
 from unittest.mock import Mock
 
 import pytest
-from programs import call, copy_project, python, ROOT
+from programs import call, copy_project, python
 from students import put_files
 
 import pds_tester
@@ -22,12 +22,6 @@ def test_a_program_finds_its_own_project_from_any_folder_and_needs_no_vpython(tm
     done = python(link / f"{program}.py", folder=os.sep, PYTHONPATH=str(folder))
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert done.stderr.startswith(f"{project / 'newton_cradle_pends.csv'}: is empty, ")
-
-
-def test_the_benchmark_finds_its_own_project_and_has_help():
-    done = python(ROOT / "tests" / "benchmark.py", "--help", folder=os.sep)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert done.stdout.startswith("usage: benchmark.py ")
 
 
 def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
