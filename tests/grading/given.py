@@ -3,6 +3,7 @@
 import ast
 import json
 from contextlib import suppress
+from itertools import zip_longest
 from pathlib import Path
 from typing import Any
 from warnings import catch_warnings
@@ -27,9 +28,9 @@ def changed_given(folder: Path = ROOT) -> list[str]:
             if not yours:
                 sentences.append(f"{name} was given; {file} has none.")
                 continue
-            line = difference(ast.parse(source).body[0], yours[-1])
+            line = difference(source, ast.unparse(yours[-1]))
             if line:
-                sentences.append(f"{name} was given; yours differs in line {line} of {file}.")
+                sentences.append(f"{name} was given; yours differs in {file}: {line}")
     return sentences
 
 
@@ -51,20 +52,11 @@ def definitions(file: Path, name: str) -> list[Any]:
     return [statement for statement in module.body if getattr(statement, "name", "") == name]
 
 
-def difference(given: Any, yours: Any) -> int | None:
-    """Return the line of the first statement in which a function is not as given, or None."""
-    if ast.dump(given) == ast.dump(yours):
-        return None
-    for (_, given_code), (line, code) in zip(rows_of(given), rows_of(yours), strict=False):
-        if code != given_code:
-            return line
-    return yours.end_lineno
-
-
-def rows_of(node: Any, indent: str = "") -> list[tuple[int, str]]:
-    """Return the line and the code of a statement, or of its head, and of those in it."""
-    rows = [(node.lineno, indent + ast.unparse(node).partition("\n")[0])]
-    for inner in ast.iter_child_nodes(node):
-        if isinstance(inner, ast.stmt):
-            rows += rows_of(inner, indent + " ")
-    return rows
+def difference(given: str, yours: str) -> str:
+    """Return the first line of a function that is not as given, or ""."""
+    given_lines = ast.unparse(ast.parse(given)).split("\n")
+    lines = yours.split("\n")
+    for given_line, line in zip_longest(given_lines, lines, fillvalue="(its end)"):
+        if line != given_line:
+            return line.strip()
+    return ""

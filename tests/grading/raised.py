@@ -22,7 +22,6 @@ ENDLESS = "Does a loop in it ever end?"
 ENDLESS_PROGRAM = "Does a loop in it go on without is_running, and without rate?"
 ENDING = "This line ends the whole program. Remove it; return ends a function."
 MOST_CHARACTERS = 300  # of the text of an error that are shown
-MOST_PLACES = 20  # lines of an error that are kept: a recursion has hundreds
 # The first lines of the statements that the handout provides beside a raise, as ast.unparse writes
 # them
 GIVEN = {
@@ -58,7 +57,7 @@ class StoppedError(Exception):
         self.function = function
         self.limit = limit
         self.text = in_one_line(text_of(error))[:MOST_CHARACTERS]
-        frames = own_frames(traceback.walk_tb(error.__traceback__))[:MOST_PLACES]
+        frames = own_frames(traceback.walk_tb(error.__traceback__))
         # In the student's own files; the last call comes last
         self.places = [place_at(*pair) for pair in frames]
         if isinstance(error, SyntaxError) and own_file(f"{error.filename}"):

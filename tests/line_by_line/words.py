@@ -4,7 +4,6 @@ import math
 import os
 from collections.abc import Callable, Collection, Iterable
 from contextlib import suppress
-from itertools import islice
 from numbers import Real
 from reprlib import Repr
 from types import BuiltinFunctionType, FunctionType, MethodType
@@ -106,13 +105,6 @@ class Words(Repr):
         with suppress(OverflowError):
             return f"{value + 0:.{self.digits}g}"  # no -0
         return "a very large number"
-
-    def repr_dict(self, value: dict, level: int) -> str:
-        """Return a dictionary in the order of its keys: Repr sorts them."""
-        parts = []
-        for key, part in islice(value.items(), self.maxdict):
-            parts.append(f"{self.repr1(key, level - 1)}: {self.repr1(part, level - 1)}")
-        return f"{{{', '.join([*parts, '...'] if len(value) > len(parts) else parts)}}}"
 
     def repr_instance(self, value: Any, level: int) -> str:
         """Return the text of an object, or its attributes if it has none of its own."""

@@ -14,7 +14,7 @@ from grading.assignment import PROGRAM
 # Words of the story, with single spaces, by function, and a mistake that gets them.
 SAID = {
     "extract_and_convert": {
-        "came back at index 0: {'mass': 12.62,": ("filepath)", "filepath).round(2)"),
+        "mass of pend_list[0] is 12.62,": ("filepath)", "filepath).round(2)"),
         "Delete the character": "exec('x = 45\u00b0')",
         "encoding UTF-8.": "exec('x\\0')",
         "folder of its own:": ("(relative_filepath)", "('newton_cradle_pends.csv')"),
