@@ -31,6 +31,11 @@ def test_without_the_function_for_all_bobs_only_upper_ones_of_a_double_cradle_co
         assert cradle.collide_name == name
 
 
+def test_the_lowest_bob_hangs_at_the_end_of_both_cords(swing):
+    cradle = swing(kind=DoubleCradle).cradle
+    assert cradle.axles()[0].pos.y - cradle.bobs()[-1].pos.y == pytest.approx(cradle.cords_length)
+
+
 @pytest.mark.parametrize("lift", [1, 2])
 @pytest.mark.parametrize(("theta", "phi"), [(45, -120), (0, -20), (30, -110)])
 def test_a_release_into_hanging_pendula_pushes_them_aside(swing, lift, theta, phi):

@@ -8,7 +8,7 @@ import pytest
 from strategies import CALLS, HAIRS, pendulum_rows, random_examples
 from whole_cradles import do_ticks
 
-from grading.cradles import hang, hang_row, R
+from grading.cradles import hang, R
 from src import visualize_cradle_run
 from support.cradle import many_ticks as module
 from support.pendulum import BUFFER
@@ -101,8 +101,8 @@ def test_each_kind_of_watching_is_noticed(name, value, monkeypatch):
     assert module.is_watched()
 
 
-def test_a_bob_of_two_pendula_hinders_the_fast_path():
-    pend_list = hang_row(3)
-    assert module.have_own_bobs(pend_list)
-    pend_list[1]["objects"] = pend_list[0]["objects"]
-    assert not module.have_own_bobs(pend_list)
+def test_a_bob_of_two_pendula_hinders_the_fast_path(swing, write, monkeypatch):
+    assert swing().is_fast
+    write("make_newton_cradle", "pend_list[1]['objects'] = pend_list[0]['objects']")
+    monkeypatch.setattr(module, "is_shipped", lambda names: True)
+    assert not swing().is_fast

@@ -52,6 +52,7 @@ WITH_ANSWERS = """\
 theta = -45 | theta: found -45, allowed is a list
 theta = [] | found []
 theta = [-181, 0] | from -180 to 180
+phi = [1] | found [1]
 mass = [1, 9e-7] | at most 1e6 times
 name = ' ' | a text
 name = 'My cradle' | another name

@@ -163,6 +163,12 @@ def test_only_what_changes_a_file_for_good_is_a_save(saves, case):
     assert saves.live.has_new_constants() == ("constants" in case)
 
 
+def test_the_files_are_not_read_in_each_frame(saves):
+    saves.live.read = None
+    saves.now += POLL / 2
+    assert not saves.live.changed()
+
+
 @pytest.mark.parametrize(
     ("text", "mistake"),
     [
