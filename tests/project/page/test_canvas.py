@@ -82,6 +82,19 @@ def test_a_page_that_loses_the_graphics_driver_says_so_and_draws_again(page, sta
     wait_until(lambda: picture_of(page) != picture)
 
 
+def test_a_browser_without_webgl_says_so(page, shared):
+    page.add_init_script("""
+        const { prototype } = HTMLCanvasElement;
+        const { getContext } = prototype;
+        prototype.getContext = function (kind) {
+          return kind === "webgl2" ? null : getContext.call(this, kind);
+        };
+    """)
+    page.goto(shared.url)
+    wait_for_text(page, "This browser cannot draw the cradle (WebGL 2)")
+    pages.wait_for_moves(shared)
+
+
 def test_the_canvas_says_what_it_shows_and_the_keys_are_listed(shared):
     words = re.compile("Newton's cradle: t,.* s.*energy,.* %, .*bob . at .* degrees (left|right)")
     shared.get_by_role("img", name=words).wait_for()
@@ -113,8 +126,9 @@ def test_each_color_stands_out_from_a_white_page_with_a_contrast_of_3(large, fil
     large.wait_for_function("() => bobs().every(bob => bob.ready)")
     middles = [pages.pixel(large, bob, 0) for bob in range(10)]
     radius = (middles[1][0] - middles[0][0]) / 2.1
-    for color, middle in zip(COLOR_MAP, middles, strict=True):
-        darkest = min(lights(large, [*middle, 0.92 * radius], [*middle, 0.4 * radius]))
+    edges = lights(large, *[[*middle, 0.92 * radius] for middle in middles])
+    insides = lights(large, *[[*middle, 0.4 * radius] for middle in middles])
+    for color, darkest in zip(COLOR_MAP, map(min, edges, insides), strict=True):
         assert 1.05 / (darkest + 0.05) >= 3, color
 
 
