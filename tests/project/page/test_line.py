@@ -1,12 +1,8 @@
-"""The line between a tab in a browser and a far program: a proxy, a cut, an end."""
+"""The line between a tab in a browser and a far program: its address, a cut, an end."""
 
-import asyncio
-import shutil
+import json
 import signal
-import ssl
-import subprocess
-import threading
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from urllib.parse import urljoin, urlsplit
 
 import pages
@@ -22,88 +18,23 @@ ENDED = "The program has ended."
 NO_ANSWER = "The program does not answer."
 
 
-class Proxy:
-    """Passes on all data that reach its own port; while is_cut is True, it ends each connection.
-
-    It cuts off the prefix of a path.
-    """
-
-    def __init__(self, program_port, prefix, tls):
-        self.program_port = program_port
-        self.root = prefix.rstrip("/").encode()
-        self.writers = []
-        self.is_cut = False
-        self.loop = asyncio.new_event_loop()
-        threading.Thread(target=self.loop.run_forever, daemon=True).start()
-        start = asyncio.start_server(self.serve, "127.0.0.1", 0, ssl=tls)
-        server = asyncio.run_coroutine_threadsafe(start, self.loop).result()
-        self.port = server.sockets[0].getsockname()[1]
-
-    def set_cut(self, is_cut):
-        self.is_cut = is_cut
-        for writer in self.writers:
-            self.loop.call_soon_threadsafe(writer.transport.abort)
-
-    async def serve(self, browser, to_browser):
-        self.writers.append(to_browser)
-        with suppress(OSError, asyncio.IncompleteReadError):
-            if not self.is_cut:
-                head = await browser.readuntil(b"\r\n\r\n")
-                program, to_program = await asyncio.open_connection("127.0.0.1", self.program_port)
-                to_program.write(head.replace(b" " + self.root, b" ", 1))
-                await asyncio.gather(
-                    self.pass_on(browser, to_program), self.pass_on(program, to_browser)
-                )
-        to_browser.close()
-
-    async def pass_on(self, reader, writer):
-        with suppress(OSError):
-            while data := await reader.read(2**16):
-                writer.write(data)
-        writer.close()
-
-
 @contextmanager
-def far_tab(browser, csv, name="127.0.0.1", prefix="/", tls=None):
-    """Run a program and a Proxy.
-
-    Yield the process, a tab, the page's address at the proxy, and the proxy.
-    """
-    with running(None, str(csv)) as process, new_page(browser, ignore_https_errors=True) as page:
+def far_program(csv, path="/"):
+    """Run a program; yield the process, and an address with another name and this path."""
+    with running(None, str(csv)) as process:
         near = urlsplit(first_lines(process))
-        scheme = "https" if tls else "http"
-        proxy = Proxy(near.port, prefix, tls)
-        yield process, page, f"{scheme}://{name}:{proxy.port}{prefix}?{near.query}", proxy
+        yield process, f"http://cradle.localhost:{near.port}{path}?{near.query}"
 
 
-@pytest.fixture
-def tls(tmp_path):
-    """TLS with a certificate that nobody has signed."""
-    if not shutil.which("openssl"):
-        pytest.skip("openssl is not installed")
-    command = (
-        "openssl req -x509 -newkey rsa:2048 -nodes -keyout key -out certificate -days 1 -subj /CN=a"
-    )
-    subprocess.run(command.split(), cwd=tmp_path, check=True, capture_output=True)
-    context = ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER)
-    context.load_cert_chain(tmp_path / "certificate", tmp_path / "key")
-    return context
-
-
-def test_a_page_moves_through_a_proxy_with_tls_and_another_name_and_path_until_the_end(
-    chromium, csv, tls
-):
+def test_a_page_moves_at_another_name_and_path_until_the_end(page, csv):
     """It asks nobody else. When the program has ended, the page says so."""
     addresses = []
-    prefix = BELOW.rstrip("/")  # the page adds the slash
-    with far_tab(chromium, csv, "cradle.localhost", prefix, tls) as (process, page, address, _):
-        page.on("request", lambda request: addresses.append(request.url))
-        page.on(
-            "websocket", lambda websocket: addresses.append(websocket.url.replace("ws", "http", 1))
-        )
+    page.on("request", lambda request: addresses.append(request.url))
+    page.on("websocket", lambda line: addresses.append(line.url.replace("ws", "http", 1)))
+    with far_program(csv, BELOW.rstrip("/")) as (process, address):
         open_cradle(page, address)
         wait_for_moves(page)
-        whole = address.replace("?", "/?")
+        whole = address.replace("?", "/?")  # the page adds the slash
         assert page.url == whole
         assert any(url.startswith(whole.replace("?", "ws?")) for url in addresses)
         assert all(url.startswith((urljoin(address, "."), "data:", "blob:")) for url in addresses)
@@ -115,12 +46,29 @@ def test_a_page_moves_through_a_proxy_with_tls_and_another_name_and_path_until_t
         assert pages.violations(page) == {}
 
 
-def test_a_page_goes_on_by_itself_when_its_line_was_cut(chromium, csv):
+def test_a_page_with_tls_has_a_line_with_tls(page, csv):
+    with running(None, str(csv)) as process:
+        near, query = first_lines(process).split("?")
+
+        def pass_on(route):
+            url = route.request.url.replace("https://a.example/", near)
+            route.fulfill(response=route.fetch(url=url))
+
+        message = json.dumps({"drawing": {}, "state": {"title": "By TLS"}})
+        page.route("https://a.example/**", pass_on)
+        page.route_web_socket(f"wss://a.example/ws?{query}", lambda line: line.send(message))
+        page.goto(f"https://a.example/?{query}")
+        page.get_by_text("By TLS").wait_for()
+
+
+def test_a_page_goes_on_by_itself_when_its_line_was_cut(page, csv):
     """It is not loaded again, nothing is made twice, and the same cradle swings on.
 
     Present and the view stay. A bob that is held swings on at once, though the mouse is still down.
     """
-    with far_tab(chromium, csv) as (_, page, address, proxy):
+    ends = []
+    page.route_web_socket("**", lambda line: ends.extend([line, line.connect_to_server()]))
+    with far_program(csv) as (_, address):
         open_cradle(page, address)
         wait_for_moves(page)
         page.evaluate("scene().forward = vec(-1, -0.5, -1)")
@@ -131,10 +79,12 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(chromium, csv):
         time = pages.readout(page, "t")
         pages.drag(page, 3, 20, 40)
         programs.wait_until(lambda: pages.bob_angles(page)[3] == pytest.approx(40, abs=1))
-        proxy.set_cut(True)
+        page.route("**", lambda route: route.abort())
+        for line in ends:
+            line.close()
         page.get_by_text(NO_ANSWER).wait_for()
         page.evaluate("one('[name=arrows]').click()")  # it is not sent
-        proxy.set_cut(False)
+        page.unroute_all()
         page.get_by_text(NO_ANSWER).wait_for(state="detached")
         page.mouse.move(*pages.pixel(page, 3, 30), steps=3)
         wait_for_moves(page)
@@ -143,14 +93,9 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(chromium, csv):
         assert pages.readout(page, "t") > time
 
 
-def test_share_shows_an_address_whose_tab_sees_all_turns_its_view_and_changes_nothing(
-    chromium, csv
-):
+def test_share_shows_an_address_whose_tab_sees_all_turns_its_view_and_changes_nothing(page, csv):
     """It has the host by which the page came; if nobody else can reach this, it says so."""
-    with (
-        far_tab(chromium, csv, "cradle.localhost") as (_, page, address, _),
-        new_page(chromium) as follower,
-    ):
+    with far_program(csv) as (_, address), new_page(page.context.browser) as follower:
         open_cradle(page, address)
         press(page, "Share")
         shown = page.locator(".address").inner_text()
