@@ -23,7 +23,7 @@ def pytest_itemcollected(item):
 
     With --dist loadgroup, one process has Firefox, and one process the shared page.
     """
-    if {"page", "shared"}.intersection(item.fixturenames):
+    if {"page", "chromium"}.intersection(item.fixturenames):
         for mark in (pytest.mark.browser, *needs_vpython):
             item.add_marker(mark)
     if "firefox" in item.fixturenames or "[firefox]" in item.name:

@@ -42,8 +42,6 @@ def test_a_ghost_is_between_the_rows_with_a_number(rig, content, time, angles):
             b"t,theta_1\n0,-41.5\n1,1\n",
             ", theta_1: found '-41.5', allowed is -6.28 to 6.28 (rad), or n",
         ),
-        (b"t,theta_1\n0,0,5\n", ", line 2: found 3 cells, allowed are at most 2, as in line 1;"),
-        (GOOD.decode().encode("utf-16"), ", line 1: found byte 0xff, allowed is text only"),
         (b"t" * LARGEST_FILE + b",", ": cannot be read: it has more than 6 MB"),
     ],
 )
@@ -90,16 +88,12 @@ def test_the_ghosts_of_your_answer_come_before_those_of_a_file(rig):
 
 
 def test_a_file_is_chosen_on_the_page_and_its_ghosts_are_removed(shared):
-    def choose(content):
-        file = {"name": "<s>.csv", "mimeType": "text/csv", "buffer": content}
-        shared.get_by_label("Ghosts from a file").set_input_files(file)
-
+    content = b"t,theta_5 (degrees)\n0,30\n99,30\n"
+    file = {"name": "<s>.csv", "mimeType": "text/csv", "buffer": content}
     shared.locator(".keep summary").click()
-    choose(b"t,theta_5 (degrees)\n0,30\n99,30\n")
+    shared.get_by_label("Ghosts from a file").set_input_files(file)
     wait_until(lambda: shared.evaluate("texts()") == [*"12345", "<s>.csv"])
     assert shared.evaluate("visible('sphere').length") == 6
-    choose(b"\xff" * LARGEST_FILE)
-    shared.get_by_text("Not taken: <s>.csv, line 1: found byte 0xff, allowed is text").wait_for()
     assert pages.violations(shared) == {}
     pages.press(shared, "Remove <s>.csv")
     wait_until(lambda: shared.evaluate("texts()") == [*"12345"])

@@ -9,10 +9,8 @@ import pages
 import programs
 import pytest
 from pages import new_page, open_cradle, press, wait_for_moves
-from programs import end, first_lines, needs_vpython, QUIETLY, running
+from programs import end, first_lines, QUIETLY, running
 from web_client import BELOW
-
-pytestmark = [pytest.mark.browser, *needs_vpython]
 
 ENDED = "The program has ended."
 NO_ANSWER = "The program does not answer."

@@ -1,16 +1,10 @@
-"""The controls of the page: keys, mouse, touch and text reach the program, and it answers."""
+"""The page itself: its messages, its scripts, and texts that are no HTML."""
 
 import pages
 import programs
-from pages import (
-    open_cradle,
-    wait_for_cradle,
-    wait_for_moves,
-)
+from pages import open_cradle, wait_for_cradle, wait_for_moves
 from shared_page import is_whole
 from whole_cradles import FIVE_CSV, GOOD
-
-# --- the CSV, experiments and the table ------------------------------------------------------
 
 
 def test_a_mistake_in_the_csv_is_shown_and_stays_in_view_until_it_is_corrected(shared, file):
@@ -35,13 +29,15 @@ def test_a_page_whose_script_did_not_arrive_loads_again(page, program):
 
 
 def test_hostile_texts_are_shown_as_texts(page, program):
-    """In an experiment's name, question, answers and explanation, and in the CSV."""
+    """In an experiment's name, question, answers, explanation and mistake, and in the CSV."""
     evil = "<s><img src onerror>"  # a text that makes elements, where it is HTML
     folder = program.parents[1]
     file = folder / "support" / "experiments" / "single" / "02_two_bobs.toml"
     file.write_text(file.read_text().replace("Two bobs", evil))
+    file.with_name("17_bad.toml").write_text(f"name = '{evil}'\ntheta = '{evil}'")
     with programs.running(program, folder=folder) as process:
         open_cradle(page, programs.first_lines(process))
+        page.get_by_text(f"17_bad.toml: theta: found '{evil}'").wait_for(state="attached")
         pages.choose(page, evil)
         page.get_by_text(f"{evil} come in.").first.wait_for()
         page.get_by_text(f"C\u2002{evil}, as far as the two").wait_for()

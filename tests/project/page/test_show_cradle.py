@@ -4,19 +4,22 @@ import signal
 
 import programs
 import pytest
-from pages import bob_angles, new_page, open_cradle, press, readout, wait_for_cradle, wait_for_moves
+from pages import (
+    new_page,
+    open_cradle,
+    press,
+    readout,
+    wait_for_cradle,
+    wait_for_moves,
+    wait_for_throw,
+)
 from programs import call, end, first_lines, running, wait_until
 from students import change, NO_CRADLE, STAGES, write_next, write_tiers
 from whole_cradles import FIVE_CSV
 
 from support.pendulum import outwards_to_angle
-from support.start.mistake import TYPE_PYTEST
 
-pytestmark = [
-    pytest.mark.browser,
-    *programs.needs_vpython,
-    pytest.mark.xdist_group("saved_code"),
-]
+pytestmark = pytest.mark.xdist_group("saved_code")
 
 RUN = "src/visualize_cradle_run.py"
 SWINGING = "src/swinging.py"
@@ -115,36 +118,20 @@ def test_a_loop_that_catches_its_end_ends_all_the_same(opened):
     opened.mend()
 
 
-def test_a_program_with_a_mistake_ends_with_its_page_and_the_students_line(page, program):
-    change(program.with_name("swinging.py"), "    omega_new =", "    omegaa\n    omega_new =")
-    with running(program) as process:
-        page.goto(first_lines(process))
-        page.get_by_text("Mend it, and save the file").wait_for()
-        page.close()
-        status, _, stderr = end(process)
-    assert status == 1
-    *_, line, error, more = stderr.splitlines()
-    assert line.strip() == "omegaa"
-    assert error.startswith("NameError: ")
-    assert more == TYPE_PYTEST
-
-
 def test_in_one_open_page_the_cradle_grows_with_each_save(starter, page):
+    """test_preview.py has the other stages."""
     with running(starter / RUN, folder=starter) as process:
         page.goto(first_lines(process))
         unwritten = f"{NO_CRADLE}{write_next(starter, 'extract_and_convert')}"
         remark = page.get_by_text(unwritten)
         remark.wait_for()
-        for tier, stage, bobs in [("D", "D", 5), ("C", "DC", 5), ("B", "DCB", 2), ("A", "DCBA", 5)]:
+        write_tiers(starter, "D")
+        wait_for_cradle(page)
+        page.get_by_text(write_next(starter, STAGES["D"][0])).wait_for()
+        for tier in "CBA":
             write_tiers(starter, tier)
-            remark.wait_for(state="hidden")
-            wait_for_cradle(page, bobs)
-            function, sight, bob, angle = STAGES[stage]
-            top = pytest.approx(angle, abs=10)
-            wait_until(lambda bob=bob, top=top: bob_angles(page)[bob] == top)
-            if function:
-                remark = page.get_by_text(f"{write_next(starter, function)} {sight}")
-                remark.wait_for()
+        wait_for_throw(page)
+        remark.wait_for(state="hidden")
         process.send_signal(signal.SIGINT)
         assert end(process) == (0, f"{unwritten}\n", "")
 
@@ -180,3 +167,15 @@ def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys, line, 
     status, stdout, stderr = call(lambda: start("single", line), capsys)
     assert (status, stdout, stderr.count("\n")) == (2, "", 1)
     assert stderr.startswith(message)
+
+
+def test_a_program_whose_last_run_failed_ends_with_status_1_and_the_error(
+    start, monkeypatch, capsys
+):
+    def run(file, viewer):
+        viewer.go_on_after(ZeroDivisionError("of a student"))
+
+    monkeypatch.setattr("support.page.show_cradle.run", run)
+    status, _, stderr = call(lambda: start("single", ""), capsys)
+    assert status == 1
+    assert stderr.splitlines()[-1] == "ZeroDivisionError: of a student"

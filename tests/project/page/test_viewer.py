@@ -1,4 +1,4 @@
-"""Each frame of the page: its pace and pauses, its sound, its first and last picture, what it says."""
+"""Each frame of the page: its pace and pauses, its sound, its first and last picture, its words."""
 
 from unittest.mock import Mock
 
