@@ -17,15 +17,6 @@
     script.remove(); // it runs all the same; a page that is saved is without it
   };
 
-  // bobsAtFirst is how many bobs the first picture has; one waits for its texture.
-  const gl = WebGL2RenderingContext.prototype;
-  const draw = gl.drawElements;
-  const isBob = shape => shape?.constructor.name === "sphere" && shape.visible && shape.ready;
-  gl.drawElements = function (...how) {
-    page.bobsAtFirst ??= page.glowObjs.filter(isBob).length;
-    draw.apply(this, how);
-  };
-
   // peak() is the largest sample of the last 0.7 s at the loudspeaker, if it is in use.
   const connect = /** @type {any} */ (AudioNode.prototype.connect);
   page.peak = () => null;

@@ -44,31 +44,15 @@ function pixel([x, y]) {
 
 const cursor = () => getComputedStyle(one(".canvas canvas:last-of-type")).cursor;
 
-// Return the picture of now, as a pen that has drawn it.
-function picture() {
+// Return how light the picture is at these places: of each one, the parts of its color together.
+function lights(places) {
   scene().__renderer.render(0);
   const { width, height } = one(".canvas canvas");
   const pen = make("canvas", { width, height }).getContext("2d", { willReadFrequently: true });
   pen.drawImage(one(".canvas canvas"), 0, 0);
-  return pen;
-}
-
-// Return how light (as WCAG 2 defines it) the picture is on a white page, at many points of a
-// circle: the median, for each of these circles.
-function lights(circles) {
-  const pen = picture();
-  pen.globalCompositeOperation = "destination-over"; // behind it
-  pen.fillStyle = "white";
-  pen.fillRect(0, 0, pen.canvas.width, pen.canvas.height);
-  const linear = part => part <= 0.03928 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4;
-  return circles.map(([x, y, radius]) => {
-    const found = [];
-    for (let angle = 0; angle < 2 * Math.PI; angle += 0.1) {
-      const place = [x + radius * Math.cos(angle), y + radius * Math.sin(angle)];
-      const [r, g, b] = [...pen.getImageData(...place, 1, 1).data].map(part => linear(part / 255));
-      found.push(0.2126 * r + 0.7152 * g + 0.0722 * b);
-    }
-    return found.sort((a, b) => a - b)[found.length >> 1];
+  return places.map(([x, y]) => {
+    const [red, green, blue] = pen.getImageData(x, y, 1, 1).data;
+    return red + green + blue;
   });
 }
 

@@ -83,11 +83,6 @@ def readout(page, name):
     return float(re.search(rf"^{name}\s+([-+0-9.]+)", text, re.MULTILINE)[1])
 
 
-def slider_texts(page, *names):
-    """Return the texts behind the sliders with these names."""
-    return [page.locator(f"output[for={name}]").inner_text() for name in names]
-
-
 def axle(bob):
     """Return the place (m) from which this bob (an index) hangs."""
     return -0.1 + R_PARAM / 4 * bob, R_PARAM / 5

@@ -1,15 +1,11 @@
 """Which cradle the page plays: what its sliders set, and what you choose."""
 
-from math import degrees, pi
+from math import pi
 
 import pytest
 from rig import Rig
 from vpython import vector
 from whole_cradles import GOOD, HEADER, thetas
-
-from grading.cradles import MIXED_CSV
-from support.files.experiments import EXPERIMENTS
-from support.page.lesson import ASKED
 
 MAKE = "make_newton_cradle"
 CSV = "My cradle"
@@ -123,59 +119,3 @@ def test_a_program_that_lifts_no_bob_says_how_many_the_slider_lifts(csv, write):
     rig.give("release_angle", 30)
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
     assert rig.state["lifted"] == 1
-
-
-def test_the_picture_of_a_choice_has_its_colors_masses_and_angles(rig):
-    """Those of your CSV follow the file, and hang."""
-    rig.save("mass,e,color,texture,note\n3,1,blue,metal,x\n")
-    pictures = rig.state["pictures"]
-    assert list(pictures) == rig.control("experiment")["choices"]
-    assert pictures[CSV] == [{"mass": 3, "color": "rgb(0, 0, 255)", "angles": [0]}]
-    angles = [round(degrees(bob["angles"][0])) for bob in pictures[FROM_BOTH_SIDES]]
-    assert angles == [-45, 0, 0, 0, 45]
-
-
-@pytest.mark.parametrize("is_saved", [False, True])
-def test_back_at_your_csv_all_is_as_you_had_set_it(rig, is_saved):
-    """If the file was saved meanwhile, it comes back with its own masses and e."""
-    rig.give("edit", 1, "mass", 3)
-    rig.give("release_angle", 20)
-    rig.give("lifted", 2)
-    rig.give("e", 0)
-    rig.give("experiment", FROM_BOTH_SIDES)
-    rig.give("lifted", 5)
-    if is_saved:
-        rig.save(HEADER + GOOD * 6)
-        rig.give("restart")
-    else:
-        rig.give("experiment", CSV)
-    assert rig.state["experiment"] == CSV
-    assert rig.values("mass") == ([1] * 6 if is_saved else [1, 3, 1, 1, 1])
-    assert {*rig.values("e")} == {1 if is_saved else 0}
-    assert rig.bob_angles()[:3] == [20, 20, 0]
-
-
-# --- options ---------------------------------------------------------------------------------
-
-BUILT_IN = str(EXPERIMENTS / "single" / "02_two_bobs.toml")
-
-
-@pytest.mark.parametrize(("words", "e"), [("--e 0.25", 0.25), ("--elastic", 1), ("--inelastic", 0)])
-def test_options_for_all_bobs_hold_in_each_saved_file(rig, start, words, e):
-    rig.viewer.chooser.prepare = start("single", f"{words} --mass 2").viewer.chooser.prepare
-    rig.save(MIXED_CSV)
-    assert rig.values("mass") == [2] * 3
-    assert rig.values("e") == [e] * 3
-
-
-def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, tmp_path):
-    """Without a question, nothing is asked."""
-    names = start("single", "").viewer.chooser.names()
-    (tmp_path / "two.toml").write_text("name = 'Two bobs'\ntheta = [0, -10]")
-    for path, count in ((BUILT_IN, 5), ("two.toml", 2)):
-        viewer = start("single", f"--experiment {path}").viewer
-        assert (viewer.chooser.name(), viewer.chooser.names()) == ("Two bobs", names)
-        assert len(viewer.cradle.pend_list) == count
-        assert (viewer.lesson.state == ASKED) == (path == BUILT_IN)
-    hidden = BUILT_IN.replace("02_two_bobs", "16_an_unknown_mass")
-    assert start("single", f"--experiment {hidden}").viewer.lesson.is_paused

@@ -3,7 +3,6 @@
 from pages import (
     button,
     menu,
-    slider_texts,
     tick,
     violations,
     wait_for_angles,
@@ -23,14 +22,12 @@ def test_keys_control_the_cradle_and_do_not_scroll_the_page(shared):
     shared.set_viewport_size({"width": 1000, "height": 300})  # so that the panel can scroll
     shared.keyboard.press("ArrowRight")
     wait_for_time(shared)
-    for key in ("F1", "x", "2", "Meta+h"):
-        shared.keyboard.press(key)
+    shared.keyboard.press("Meta+h")
     shared.keyboard.press("Space")
     button(shared, "Pause").wait_for()
     panel = shared.locator(".panel")
     assert panel.evaluate("e => [scrollY, e.scrollTop]") == [0, 0]
     assert panel.evaluate("e => e.scrollHeight > e.clientHeight + 100")  # it could have scrolled
-    assert slider_texts(shared, "lifted") == ["1 of 5"]
     assert not shared.evaluate("state.controls.slow_hits.value")
     tick(shared, "Ask")
     shared.keyboard.press("n")

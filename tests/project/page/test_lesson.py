@@ -189,9 +189,7 @@ def test_ghosts_swing_as_far_as_the_answers_say_until_the_picture_rests_no_more(
     whose = rig.state["view"]["ghosts"]
     assert [whose[str(ghost.idx)] for ghost in rig.marks("ghosts")] == [0, 1, 2, 2, 3, 3, 3]
     assert rig.state["view"]["points"] == points  # the camera stays
-    names = rig.marks("names")
-    assert [whose[str(name.idx)] for name in names] == [0, 1, 2, 3]
-    assert {name.text for name in names} == {"your answer"}
+    assert [whose[str(name.idx)] for name in rig.marks("names")] == [0, 1, 2, 3]
     # Most bobs stop at this moment: the bars are those after the hits
     bars = rig.state["bars"]
     assert "after the hits" in bars["title"]

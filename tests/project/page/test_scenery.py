@@ -55,17 +55,6 @@ def test_bobs_with_unequal_masses_which_will_swing_wide_have_room_from_the_start
     assert wide_right > right
 
 
-def test_the_frame_carries_the_axles():
-    """The rails run along the ends of the axles, and beyond the first and the last axle."""
-    axles, bobs = pendula(5)
-    *rods, base = surround(5).frame
-    for side, rail in zip((-1, 1), rods[::5], strict=True):
-        assert side * rail.pos.z - axles[0].width / 2 == pytest.approx(rail.radius)
-        assert rail.pos.x < axles[0].pos.x < axles[-1].pos.x < rail.pos.x + rail.axis.x
-        assert rail.pos.y == axles[0].pos.y
-    assert base.pos.y + base.height / 2 < bobs[0].pos.y - bobs[0].radius
-
-
 def test_a_frame_of_another_size_takes_the_place_of_the_old_one():
     def visible():
         return sum(shape.visible for shape in scene.objects)

@@ -1,9 +1,6 @@
 """The sound of a hit, at the loudspeaker."""
 
-from pages import (
-    bob_angles,
-    pause,
-)
+from pages import bob_angles, pause
 from programs import wait_until
 
 

@@ -2,11 +2,7 @@
 
 import pages
 import pytest
-from pages import (
-    pause,
-    press,
-    violations,
-)
+from pages import pause, press, violations
 from programs import wait_until
 from rig import Rig
 from whole_cradles import FIVE_CSV

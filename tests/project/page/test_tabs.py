@@ -82,14 +82,14 @@ def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_o
 def test_a_text_of_the_state_has_no_folder_of_this_machine(tabs):
     _, sent = open_tab(tabs)
     for text, told in (
-        ("No such file: '/home/ann/My files/a.csv'", "No such file: 'a.csv'"),
-        ("No such file: 'C:\\\\Users\\\\ann\\\\a.csv'", "No such file: 'a.csv'"),
-        ("in /home/ann/a.py, line 3", "in a.py, line 3"),
-        ("src/swinging.py, line 3: 1 kg m/s", "src/swinging.py, line 3: 1 kg m/s"),
+        ("'/home/ann/My files/a.csv'", "'a.csv'"),
+        ("'C:\\\\Users\\\\ann\\\\a.csv'", "'a.csv'"),
+        ("in /home/ann/a.py", "in a.py"),
+        ("src/swinging.py: 1 kg m/s", "src/swinging.py: 1 kg m/s"),
     ):
-        tabs.tell({"error": text, "mistakes": [text], "saved_csv": {"mistake": text}})
+        tabs.tell({"saved": text, "mistakes": [text], "saved_csv": {"mistake": text}})
         state = sent[-1]["state"]
-        assert state == {"error": told, "mistakes": [told], "saved_csv": {"mistake": told}}
+        assert state == {"saved": told, "mistakes": [told], "saved_csv": {"mistake": told}}
 
 
 def test_a_tab_gets_only_what_has_changed(tabs):
@@ -189,12 +189,8 @@ def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(mon
 @pytest.mark.parametrize(
     ("events", "commands"),
     [
-        (
-            "1 drag, 1 grab, 2 grab, 2 drag, 2 let_go, 1 drag, 1 let_go, 1 drag",
-            "grab, drag, let_go",
-        ),
-        # The viewer refuses what it does not know
-        ("1 grab, 2 no command, 2 closes, 1 drag, 1 closes", "grab, no command, drag, let_go"),
+        ("1 drag, 1 grab, 2 grab, 2 drag, 2 let_go, 1 drag, 1 let_go", "grab, drag, let_go"),
+        ("1 grab, 2 pause, 2 closes, 1 drag, 1 closes", "grab, pause, drag, let_go"),
     ],
 )
 def test_only_the_tab_that_has_grabbed_a_bob_drags_it_and_it_lets_go_when_it_is_closed(

@@ -4,7 +4,7 @@ from unittest.mock import Mock
 
 import pytest
 from rig import Rig
-from whole_cradles import FIVE_CSV, GOOD, HEADER, PROGRAMS
+from whole_cradles import GOOD, HEADER, PROGRAMS
 
 from support.cradle.player import run
 from support.cradle.real_time import FRAME
@@ -106,24 +106,6 @@ def test_the_loop_ends_when_the_last_tab_is_closed(rig):
     run(PROGRAMS["single"], rig.viewer)
     assert rig.viewer.is_over
     assert not rig.viewer.has_failed
-
-
-def test_a_saved_csv_makes_a_new_cradle_and_the_settings_stay(rig):
-    """Also while paused. Its own e counts."""
-    settings = {"speed": 0.5, "separating": True}
-    for name, value in {**settings, "e": 0, "lifted": 3}.items():
-        rig.give(name, value)
-    rig.wait(0.1)
-    rig.give("pause")
-    rig.save(HEADER + "2.0,0.5,0,0,blue,wood\n" * 2)
-    assert rig.state == rig.state | settings
-    assert not rig.state["running"]
-    assert rig.values("mass") == [2, 2]
-    assert rig.values("e") == [0.5, 0.5]
-    assert rig.state["lifted"] == rig.control("lifted")["max"] == 2
-    assert rig.time() == 0
-    rig.save(FIVE_CSV)
-    assert rig.state["lifted"] == 3  # the old settings, where they are possible again
 
 
 def test_a_swing_above_the_frame_widens_the_view_until_the_next_restart(rig):
