@@ -39,10 +39,6 @@ MISTAKES = {
         ("D", SPECIAL, "pend['mass'] = mass", "pend.mass = mass"),
         (0, "Write next: angle_update "),
     ),
-    "in one that it needs": (
-        ("D", SPECIAL, "pend['omega'] = 0", "pend['omega'] = 0 / 0"),
-        (1, "ZeroDivisionError: division by zero"),
-    ),
     "in what this returns": (
         ("DCB", SPECIAL, "pend['objects'] =", "objects ="),
         (1, "make_newton_cradle set objects of pendulum 1 to nothing"),
