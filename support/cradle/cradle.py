@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from itertools import accumulate
 from math import pi, sqrt
 from typing import Any
@@ -55,7 +54,6 @@ class Cradle:
         self.made_angles: list[float] = []  # rad: their release angle
         self.lifted = 0  # the number of lifted pendula, at the release or by hand
         self.known_keys: set[str] = set()  # of a pendulum
-        self.places: dict[tuple[float, ...], int] = {}  # of an axle (m) -> the pendulum's index
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
         # s: the longest time between two hits of one series. A tick can let a hit go on by only
         # one bob.
@@ -82,7 +80,6 @@ class Cradle:
         keys = (*SETTABLE, *self.angle_keys, *self.rate_keys)
         require_pendula(self.make_function, pend_list, keys, 1 + 2 * self.cord_count)
         self.pend_list = pend_list
-        self.places = {tuple(axle.pos.value): index for index, axle in enumerate(self.axles())}
         self.count = len(pend_list)
         self.known_keys = {*columns, *keys, "objects"}
         self.note_made_angles()
@@ -186,13 +183,10 @@ class Cradle:
         return [pend["objects"][1].color for pend in self.pend_list]
 
     def index_of(self, value: Any) -> int | None:
-        """Return the index of a pendulum, or of a copy with its axle; of another value, None."""
+        """Return the index of a pendulum; of another value, None."""
         for index, pend in enumerate(self.pend_list):
             if pend is value:
                 return index
-        if isinstance(value, dict):
-            with suppress(AttributeError, LookupError, TypeError):
-                return self.places[tuple(value["objects"][0].pos.value)]
         return None
 
     def values(self, key: str) -> list:
