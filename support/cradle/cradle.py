@@ -53,7 +53,6 @@ class Cradle:
         self.own: list[str] = []  # what the program sets itself: COUNT, or columns of the CSV
         self.made_angles: list[float] = []  # rad: their release angle
         self.lifted = 0  # the number of lifted pendula, at the release or by hand
-        self.known_keys: set[str] = set()  # of a pendulum
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
         # s: the longest time between two hits of one series. A tick can let a hit go on by only
         # one bob.
@@ -71,8 +70,8 @@ class Cradle:
         found = [name for name in self.collide_names if name in self.tick_names]
         self.collide_name = (found or self.collide_names)[0]
 
-    def accept(self, pend_list: list[Pendulum], columns: Sequence[str]) -> None:
-        """Take pend_list, made from a CSV with these columns, as the new cradle.
+    def accept(self, pend_list: list[Pendulum]) -> None:
+        """Take pend_list as the new cradle.
 
         It is the list of the program, which the ticks change. Raises a MistakeError if it is no
         list of complete pendula.
@@ -81,7 +80,6 @@ class Cradle:
         require_pendula(self.make_function, pend_list, keys, 1 + 2 * self.cord_count)
         self.pend_list = pend_list
         self.count = len(pend_list)
-        self.known_keys = {*columns, *keys, "objects"}
         self.note_made_angles()
 
     def own_ways(self, csv: CradleCsv) -> list[str]:
@@ -101,15 +99,6 @@ class Cradle:
             raise MistakeError(self.tick_function, message)
         keys = (*self.angle_keys, *self.rate_keys)
         require_numbers(self.tick_function, self.pend_list, keys)
-
-    def remark(self) -> str:
-        """Return a sentence that names a key which the assignment does not have, or ""."""
-        for number, pend in enumerate(self.pend_list, start=1):
-            for key in pend:
-                if key not in self.known_keys:
-                    begin = f"Pendulum {number} has the key {key!r}"
-                    return f"{begin}, which the assignment does not have."
-        return ""
 
     # --- the release ---------------------------------------------------------------------------
 

@@ -159,7 +159,7 @@ class Player:
         settings = self.next_cradle.settings
         cradle = self.cradle
         cradle.find_functions(self.names)
-        cradle.accept(pend_list, settings.csv.columns)
+        cradle.accept(pend_list)
         hidden = settings.hidden
         is_there = hidden is not None and hidden.rows[-1] < len(pend_list)
         cradle.hidden = hidden if is_there else None

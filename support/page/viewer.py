@@ -222,7 +222,7 @@ class Viewer(Player):
 
         Each part says all that it knows; what gives a hidden value away is then taken out.
         """
-        said = (*self.remarks, self.cradle.remark(), self.why_no_hits())
+        said = (*self.remarks, self.why_no_hits())
         lines = readout_lines(self.motion, self.pace, self.slow_hits)
         if self.marks.measures:
             lines["half swings"] = str(self.stopwatch)

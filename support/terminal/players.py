@@ -62,8 +62,8 @@ class Lines(Player):
             self.take_sample()
 
     def take_sample(self) -> None:
-        """Print a line, and before it, once, what there is to say about this run."""
-        remark = self.cradle.remark() or self.pace.remark()
+        """Print a line, and before it, once, how slow the machine is."""
+        remark = self.pace.remark()
         if remark and not self.has_remark:
             print(remark)
             self.has_remark = True
