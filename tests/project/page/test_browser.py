@@ -87,21 +87,27 @@ def end_soon(program):
 
 SESSION = """
 import runpy, sys
-sys.argv = ["{program}"]
-for start in "12":
+def start(*line):
+    sys.argv = [*line]
     try:
-        runpy.run_path("{program}", run_name="__main__")
+        runpy.run_path(line[0], run_name="__main__")
     except SystemExit as ended:
         print("status", ended.code)
+
+start("{folder}/text_cradle_run.py", "--seconds", "0.01")
+for time in "12":
+    start("{folder}/visualize_cradle_run.py")
 """
 
 
 @pytest.mark.slow
 def test_in_a_session_a_program_starts_again_and_a_closed_tab_gives_the_prompt_back(program):
-    """As in IPython."""
+    """As in IPython: with and without VPython."""
     end_soon(program)
-    session = SESSION.format(program=program)
+    session = SESSION.format(folder=program.parent)
     with running("-iuc", session, PYTHONPATH=str(program.parent)) as process:
+        for start in ("t", "0.00", "0.01"):
+            assert process.stdout.readline().split()[0] == start
         for _ in range(2):
             with Tab(urlsplit(first_lines(process))) as tab:
                 while "motion" not in tab.hear()["state"]:
