@@ -87,19 +87,15 @@ def place_of(file: str, line: int | None) -> str:
 
 
 def report_endless_loop(error: BaseException, player: str = "") -> None:
-    """Name the loop that a signal has stopped: the functions that have not returned.
+    """Print the lines of a student's that a signal has stopped, the innermost one last.
 
-    The innermost one is the first. player is as in report_mistake. If frames were still coming
-    (is_late is False), say nothing: nothing hung.
+    player is as in report_mistake. If frames were still coming (is_late is False), say nothing:
+    nothing hung.
     """
     frames = students_frames(error, player)
-    if not frames or not getattr(error, "is_late", True):
-        return
-    names = [frame.name for frame in reversed(frames) if frame.name != "<module>"]
-    functions = " or ".join(dict.fromkeys(names)) or "the program"  # each once
-    last = frames[-1]
-    place = f"{Path(last.filename).name}, line {last.lineno}"
-    print(f"{place}: does a loop in {functions} never end?", file=sys.stderr)
+    if frames and getattr(error, "is_late", True):
+        lines = "".join(traceback.format_list(frames))
+        print(f"Does a loop never end?\n{lines}", end="", file=sys.stderr)
 
 
 def require_pendula(make: Callable | str, pend_list: Any, keys: Iterable[str], parts: int) -> None:

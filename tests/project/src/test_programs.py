@@ -38,7 +38,7 @@ def test_pds_tester_shows_each_step(csv, monkeypatch, capsys):
 @pytest.mark.parametrize(
     ("error", "status", "words"),
     [
-        (SignalError(0), 0, "does a loop in extract_and_convert never end?\n"),
+        (SignalError(0), 0, "pd.read_csv(relative_filepath)\n"),
         (KeyError("mas"), 1, f"\nKeyError: 'mas'\n{TYPE_PYTEST}\n"),
     ],
 )
@@ -46,4 +46,4 @@ def test_pds_tester_names_a_mistake(monkeypatch, capsys, error, status, words):
     monkeypatch.setattr("src.pds_helper.pd", Mock(**{"read_csv.side_effect": error}))
     ended, _, stderr = call(pds_tester.main, capsys)
     assert ended == status
-    assert stderr.endswith(words)
+    assert words in stderr
