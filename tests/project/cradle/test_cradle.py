@@ -167,13 +167,13 @@ def test_the_first_picture_shows_the_cradle_as_it_was_made(
         ("pend_list.pop()", ["The program does not take the number of bobs from NC_FP."]),
     ],
 )
-@pytest.mark.parametrize("options", [{}, {"e": 0.5}])
+@pytest.mark.parametrize("numbers", [{}, {"e": [0.5] * 5}])
 def test_what_a_program_does_not_take_from_a_changed_csv_is_said(
-    swing, write, options, line, remarks
+    swing, write, numbers, line, remarks
 ):
     """With an option, or a slider, it gets a copy."""
     write(MAKE, line)
-    assert swing(**options).remarks == (remarks if options else [])
+    assert swing(**numbers).remarks == (remarks if numbers else [])
 
 
 NO_LIST = "must return a list of dictionaries, for is_running(pend_list); it got "

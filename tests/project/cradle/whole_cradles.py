@@ -1,6 +1,5 @@
 """More cradles for the project's tests: CSV text, double pendula made by hand, and live cradles."""
 
-from argparse import Namespace
 from contextlib import suppress
 from itertools import accumulate, combinations
 from math import cos, pi, sin, sqrt
@@ -21,7 +20,7 @@ from support.cradle.player import Player, run_once
 from support.cradle.settings import Settings
 from support.energy import energies
 from support.files.cradle_csv import Snapshot
-from support.files.valid_cradle import CradleCsv, read_cradle, with_options
+from support.files.valid_cradle import CradleCsv, read_cradle, with_numbers
 from support.pendulum import contact_distance, outwards_to_angle
 from support.root import SRC
 
@@ -129,19 +128,17 @@ def checked(filepath, cords=1) -> CradleCsv:
     return read_cradle(Snapshot(filepath), cords)
 
 
-def settings_for(file, angles=(None,), lifted=None, **options) -> Settings:
+def settings_for(file, angles=(None,), lifted=None, **numbers) -> Settings:
     """Return the settings of a CSV's cradle, released from these angles (rad).
 
-    The options are e, mass, elastic or inelastic.
+    numbers take the place of those in the columns with these names.
     """
-    given = Namespace(elastic=False, inelastic=False, e=None, mass=None)
-    vars(given).update(options)
-    csv = with_options(checked(file, len(angles)), given)
+    csv = with_numbers(checked(file, len(angles)), numbers)
     return Settings(csv, [*angles], lifted)
 
 
 class Swing(Player):
-    """A player with the number of ticks that a test sets, ."""
+    """A player that does as many ticks as a test says."""
 
     def __init__(self, cradle, settings):
         super().__init__(cradle, settings, 1e9)
@@ -159,15 +156,15 @@ class Swing(Player):
         go_on(self)
 
 
-def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, **options) -> Swing:
-    """Write this CSV to the folder; return a player of its cradle with these options.
+def make_swing(folder, csv=FIVE_CSV, angle=30, lift=1, kind=Cradle, phi=20, **numbers) -> Swing:
+    """Write this CSV to the folder; return a player of its cradle with these numbers.
 
     It is released from angle and phi (degrees).
     """
     angles = thetas([angle, phi][: kind.cord_count])
     path = folder / "cradle.csv"
     path.write_text(csv)
-    return Swing(kind(), settings_for(path, angles, lift, **options))
+    return Swing(kind(), settings_for(path, angles, lift, **numbers))
 
 
 def make_row(count, theta=0.0, **values) -> list[dict]:
