@@ -16,21 +16,4 @@
     document.head.append(script);
     script.remove(); // it runs all the same; a page that is saved is without it
   };
-
-  // peak() is the largest sample of the last 0.7 s at the loudspeaker, if it is in use.
-  const connect = /** @type {any} */ (AudioNode.prototype.connect);
-  page.peak = () => null;
-  AudioNode.prototype.connect = function (to, ...others) {
-    if (to === this.context.destination) {
-      const tap = new AnalyserNode(this.context, { fftSize: 32768 });
-      const samples = new Float32Array(tap.fftSize);
-      connect.call(this, tap);
-      page.audio = this.context;
-      page.peak = () => {
-        tap.getFloatTimeDomainData(samples);
-        return Math.max(...samples.map(Math.abs));
-      };
-    }
-    return connect.call(this, to, ...others);
-  };
 }

@@ -48,8 +48,8 @@ def start(monkeypatch, csv):
     csv.write_text(MIXED_CSV)
     monkeypatch.chdir(csv.parent)
     server = Mock()
-    server.listener.getsockname.return_value = ["127.0.0.1"]
     listen = Mock()
+    server.listener.getsockname = lambda: listen.call_args.args
     run = Mock()
     module = SimpleNamespace(Server=lambda *_: server)
     monkeypatch.setitem(sys.modules, "support.page.server.server", module)

@@ -35,26 +35,13 @@ def test_a_slider_changes_the_cradle_and_my_cradle_chosen_again_is_as_at_the_sta
     assert not (rig.state["separating"] or rig.state["changed"])
 
 
-@pytest.mark.parametrize(
-    ("edit", "name", "found"),
-    [
-        ((4, "e", 0.5), "e", {"value": 1, "text": "0.5 to 1"}),
-        ((0, "mass", 12.5), "mass", {"value": 12.5, "text": "12.5 kg"}),  # beyond its end
-    ],
-)
-def test_a_slider_shows_what_is_typed_into_the_table(rig, edit, name, found):
-    rig.give("edit", *edit)
-    assert rig.control(name) == rig.control(name) | found
-
-
-@pytest.mark.parametrize(("seconds", "lifted"), [(0, 2), (1.25, 3)])
-def test_a_second_bob_that_is_dragged_out_counts_as_lifted(rig, seconds, lifted):
-    """It pushes the first one. Later, the last one is out; hits have left the others a little."""
-    rig.wait(seconds)
+def test_a_second_bob_that_is_dragged_out_counts_as_lifted(rig):
+    """It pushes the first one. The last one is out; hits have left the others a little."""
+    rig.wait(1.25)
     rig.mouse("grab", rig.cradle.bobs()[1].pos)
     rig.mouse("drag", rig.cradle.axles()[1].pos - vector(1, 0, 0))
     rig.give("let_go")
-    assert rig.control("lifted")["text"] == f"{lifted} of 5"
+    assert rig.control("lifted")["text"] == "3 of 5"
     rig.give("restart")
     assert rig.state["lifted"] == 1
 

@@ -72,5 +72,3 @@ def test_a_dial_angles_and_speeds_can_be_measured(csv):
     assert angle == f"{abs(degrees(first['theta'])):.0f}°"
     assert float(speed) == pytest.approx(abs(first["omega"]) * R_PARAM, abs=0.006)
     assert unit == "m/s"
-    rig.give("measure", False)
-    assert rig.marks("dial") == rig.marks("degrees") == rig.marks("below") == []

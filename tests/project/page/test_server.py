@@ -12,7 +12,7 @@ from urllib.parse import urlsplit
 
 import programs
 import pytest
-from programs import ROOT, running
+from programs import ROOT
 from web_client import BELOW, get, Tab
 
 from support.page.names import COMMANDS
@@ -35,37 +35,18 @@ def site():
         running_server.close()
 
 
-def test_only_this_machine_reaches_the_page_unless_you_ask_for_more_and_then_the_program_says_so(
-    site,
-):
-    other_address = "127.0.0.2"  # of this machine
-    with pytest.raises(OSError):
-        get(site, "/", "{key}", other_address)
-    with running(None, "--host", "0.0.0.0") as process:
-        page = urlsplit(process.stdout.readline().split()[-1])
-        warning = process.stdout.readline()
-        assert warning.startswith("Every machine that reaches this one can open it")
-        assert get(page, "/", "", other_address)[0] == 403
-        assert get(page, "/", "{key}", other_address)[0] == 200
-
-
 @pytest.mark.parametrize("name", ["page.html", "../server/tabs.py", "%2e%2e%2fserver%2ftabs.py"])
 def test_a_file_that_is_not_of_the_page_is_not_there(site, name):
     assert get(site, f"/{name}")[::2] == (404, b"")
 
 
 def test_files_that_everybody_can_download_come_whole_without_the_key(site):
-    """vpython.js is a part of VPython's page, without its websocket, which goes to localhost."""
     vpython = Path(PathFinder.find_spec("vpython").origin).parent
     libraries = vpython / "vpython_libraries"
     script = ROOT / "support" / "page" / "web" / "page.js"
     picture = vpython / "vpython_data/wood_texture.jpg"
     for file in (script, libraries / "jquery.min.js", picture):
         assert get(site, BELOW + file.name, "")[::2] == (200, file.read_bytes())
-    script = get(site, "/vpython.js", "")[2]
-    assert b"function decode(" in script
-    assert script in (libraries / "glowcomm.html").read_bytes()
-    assert b"WebSocket" not in script
 
 
 def test_the_page_and_its_run_need_a_key_and_a_run_that_of_the_tab_that_commands(site):

@@ -136,10 +136,14 @@ def test_in_one_open_page_the_cradle_grows_with_each_save(starter, page):
         assert end(process) == (0, f"{unwritten}\n", "")
 
 
-def test_a_program_does_as_the_options_say(start):
+EVERYBODY = "Every machine that reaches this one can open it"
+
+
+def test_a_program_does_as_the_options_say(start, capsys):
     line = "--angle 25 --phi=-12.5 --lift 2 --host 0.0.0.0 --port 8000 --no-browser"
     page = start("double", line)
     assert page.place == ("0.0.0.0", 8000)
+    assert EVERYBODY in capsys.readouterr().out
     assert not page.browser
     state = page.viewer.state()
     assert state["title"] == "Newton's double cradle"
@@ -148,10 +152,11 @@ def test_a_program_does_as_the_options_say(start):
     assert page.viewer.cradle.values("phi") == [outwards_to_angle(-12.5)] * 2 + [0]
 
 
-def test_a_program_of_single_pendula_has_one_angle_and_ghosts(start, tmp_path):
+def test_a_program_of_single_pendula_has_one_angle_and_ghosts(start, tmp_path, capsys):
     ghosts = tmp_path / "film.csv"
     ghosts.write_text("t,theta_1\n0,1\n")
     page = start("single", f"--angle 20 --ghosts {ghosts}")
+    assert EVERYBODY not in capsys.readouterr().out
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(20), 0, 0]
     assert page.viewer.ghost_file.name == "film.csv"
 

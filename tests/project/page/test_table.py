@@ -21,15 +21,15 @@ def test_the_table_shows_pend_list_as_it_is_now(rig):
 
 
 def test_the_cradle_of_an_edited_cell_has_the_masses_and_e_that_are_shown(rig, csv):
-    """They came from sliders: nothing else may change with the edit."""
-    rig.give("mass", 3)
+    """They came from a slider: nothing else may change with the edit. The sliders show it, too."""
     rig.give("e", 0)
-    rig.give("edit", 1, "mass", 2.5)
+    rig.give("edit", 0, "mass", 12.5)  # beyond the end of its slider
     assert rig.bob_angles() == [30, 0, 0, 0, 0]
     rig.give("edit", 4, "e", 0.5)
-    rig.give("restart")
-    assert rig.values("mass") == [3, 2.5, 1, 1, 1]
+    assert rig.values("mass") == [12.5, 1, 1, 1, 1]
     assert rig.values("e") == [0, 0, 0, 0, 0.5]
+    assert rig.control("mass")["text"] == "12.5 kg"
+    assert rig.control("e")["text"] == "0 to 0.5"
     assert csv.read_text() == FIVE_CSV
 
 
