@@ -20,7 +20,7 @@ TUPLE = "The bob is in the tuple objects of a pendulum: axle, bob, cord = pend['
 # in a hint is the group of the pattern. The first one that fits is taken. A row is a line:
 # fmt: off
 ROWS: list[tuple[Any, str, str]] = [
-    (SyntaxError, "^invalid (non-printable )?character", "Delete the character at the mark (you may not see it), and type what belongs there. In Python, * multiplies, and ** is a power."),
+    (SyntaxError, "^invalid .*character", "Delete the character at the mark (you may not see it), and type what belongs there. In Python, * multiplies, and ** is a power."),
     ((SyntaxError, ValueError), "null bytes|codec can't decode", "This file is not saved in UTF-8. Save it with the encoding UTF-8."),
     (TypeError, "'(int|float)' object is not callable", "A number stands in front of the brackets, and a number is no function. To multiply, write *."),
     (TypeError, "list indices must be integers or slices, not dict", "A for loop over a list gives its elements, not their numbers."),

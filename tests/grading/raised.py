@@ -100,7 +100,7 @@ def hint_about(
         return ""
     if limit:
         return ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
-    if isinstance(error, (SystemExit, KeyboardInterrupt)):
+    if isinstance(error, SystemExit):
         return ENDING
     with suppress(Exception):  # an error of the student's own, which says nothing of itself
         return of_error(error, frames, function)
