@@ -38,7 +38,6 @@ FORM = re.compile(
 ARCHIVE = re.compile(r"(\.tar)?\.(zip|tar|tgz|gz|bz2|xz|7z|rar)$", re.IGNORECASE)
 AGAIN = re.compile(r" ?[-(](\d{1,9})\)?(?=\.py$)")  # swinging-1.py, "swinging (1).py"
 OF_OTHERS = {"__MACOSX", "site-packages"}  # folders without a student's work
-OF_STARTER = {"support", "tests"}  # folders in which only constants.py is a student's
 
 
 def submissions_in(folder: Path) -> tuple[dict[str, list[Path]], list[str]]:
@@ -165,15 +164,15 @@ def choose(files: Iterable[File], problems: list[str]) -> dict[str, bytes]:
     These are the handout's, and the others of the folder in which most of these are.
     """
     chosen: dict[str, File] = {}
-    own = [file for file in sorted(files, key=age_of) if is_own(file)]
-    for file in own:
+    by_age = sorted(files, key=age_of)
+    for file in by_age:
         place = HANDOUT.get(file.name)
         if place and (place != CONSTANTS or b"NC_FP" in file.content):  # or it is one's own file
             take(chosen, place, file, problems)
     problems += [f"{place} is missing" for place in REQUIRED if place not in chosen]
     folders = Counter(file.path.parent for file in chosen.values())
     for folder, _ in folders.most_common(1):
-        for file in own:
+        for file in by_age:
             if file.path.is_relative_to(folder):
                 place = f"src/{file.path.relative_to(folder).with_name(file.name)}"
                 if place not in HANDOUT.values():
@@ -186,11 +185,6 @@ def age_of(file: File) -> tuple[int, tuple[int, ...]]:
     again = AGAIN.search(file.path.name)
     number = int(again[1]) if again else 0
     return number, file.modified
-
-
-def is_own(file: File) -> bool:
-    """Return whether a file can be the student's own, not the starter's."""
-    return file.name == "constants.py" or OF_STARTER.isdisjoint(file.path.parts)
 
 
 def take(chosen: dict[str, File], place: str, file: File, problems: list[str]) -> None:
