@@ -164,6 +164,7 @@ def test_only_what_changes_a_file_for_good_is_a_save(saves, case):
 
 
 def test_the_files_are_not_read_in_each_frame(saves):
+    saves.wait(POLL)
     saves.live.read = None
     saves.now += POLL / 2
     assert not saves.live.changed()
