@@ -1,6 +1,8 @@
 """Your CSV and the experiments: which one the page plays, and with which settings."""
 
 import pytest
+from rig import Rig
+from students import put_files
 from whole_cradles import FIVE_CSV, HEADER
 
 from grading.cradles import MIXED_CSV
@@ -60,3 +62,12 @@ def test_an_experiment_by_its_file_takes_the_place_of_one_with_its_name(start, t
         assert (viewer.lesson.state == ASKED) == (path == BUILT_IN)
     hidden = BUILT_IN.replace("02_two_bobs", "16_an_unknown_mass")
     assert start("single", f"--experiment {hidden}").viewer.lesson.is_paused
+
+
+def test_a_mistake_in_an_experiment_is_named(csv, tmp_path, monkeypatch):
+    folder = put_files(tmp_path, {"single/one.toml": "theta = 'far'"})
+    monkeypatch.setattr("support.page.chooser.EXPERIMENTS", folder)
+    rig = Rig(csv)
+    assert rig.control("experiment")["choices"] == [CSV]
+    [mistake] = rig.state["mistakes"]
+    assert "one.toml: " in mistake

@@ -48,3 +48,8 @@ def test_each_control_that_the_page_knows_is_declared_and_each_has_its_place(rig
     assert known <= {*controls}
     places = {control["place"] for name, control in controls.items() if name != "experiment"}
     assert places == in_the_page("place")
+
+
+def test_no_script_makes_elements_of_a_text():
+    """So what stands in a file is shown as text, whatever it is."""
+    assert not in_scripts(r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|srcdoc")

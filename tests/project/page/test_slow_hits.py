@@ -24,18 +24,13 @@ def wait_for_hit(rig):
 
 
 def test_each_hit_waits_in_the_order_of_the_calls(rig):
-    """With rings, equal and opposite changes of momentum, and the arrows after the hit."""
+    """With rings, and equal and opposite changes of momentum."""
     rig.give("slow_hits", True)
-    rig.give("arrows", True)
     rig.give("lifted", 2)
-    moving = {0, 1}
     for left in (1, 0, 2, 1, 3, 2):
         assert [int(bob["no."]) - 1 for bob in wait_for_hit(rig)] == [left, left + 1]
         places = [bob.pos.x for bob in rig.cradle.bobs()]
         assert [ring.pos.x for ring in rig.marks("rings")] == places[left : left + 2]
-        moving ^= {left, left + 1}
-        arrows = [arrow.pos.x for arrow in rig.marks("arrows")]
-        assert arrows == [places[bob] for bob in sorted(moving)]
         backwards, forwards = [arrow.axis.x for arrow in rig.marks("changes")]
         # Two such bobs have the largest momentum
         assert forwards == pytest.approx(LONGEST_ARROW * R_PARAM / 2, rel=0.01)

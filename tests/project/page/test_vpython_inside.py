@@ -64,9 +64,8 @@ for refused in {refused}.split():
 
 
 REFUSED = """
-text(text='a') compound([box()]) extrusion(path=[],shape=[]) graph() gcurve() slider(bind=abs)
-scene.waitfor('click') scene.pause() scene.mouse.pick
-curve() points() attach_trail(box()) box(make_trail=True) setattr(box(),'make_trail',True)
+text(text='a') compound([box()]) graph() slider(bind=abs) scene.waitfor('click') scene.mouse.pick
+curve() attach_trail(box()) box(make_trail=True) setattr(box(),'make_trail',True)
 """
 
 
