@@ -37,7 +37,6 @@ def read(monkeypatch):
         ("text", "", {"csv": NC_FP, "seconds": inf, "every": 0.01}),
         ("page", "my.csv --mass 1e-300 --lift 3", {"csv": "my.csv", "mass": 1e-300, "lift": 3}),
         ("page", "--e 0 --angle 180", {"e": 0, "angle": outwards_to_angle(180)}),
-        ("page", "--html a.html --seconds 600", {"html": "a.html", "seconds": 600}),
         ("double", "--phi=-180 --no-browser", {"phi": outwards_to_angle(-180), "browser": False}),
         ("text", "--seconds 1e6 --every 1e6 --record -", {"seconds": 1e6, "every": 1e6}),
     ],
