@@ -1,10 +1,11 @@
 """The graded suites in pytest, as a plugin: each check is an item, and a screen ends a run.
 
-pyproject.toml names the plugin. With pytest-xdist (-n 2), other processes run the checks, and there
-is no screen.
+pyproject.toml names the plugin. With pytest-xdist (-n 2), other processes run the tests and report
+to the first one, which shows the table.
 """
 
 import json
+import pickle
 import sys
 from collections.abc import Iterator
 from os import _exit as end_process  # a check takes os._exit away
@@ -26,7 +27,8 @@ from grading.outcomes import FAILED, FAULT, Grading, PASSED, WAITING
 from grading.screen import Line, Screen
 
 GRADING = pytest.StashKey[Grading]()
-RESULTS = pytest.StashKey[Results]()  # of the checks that this run has had
+RESULTS = pytest.StashKey[Results]()  # of the checks of this run, as they are reported
+OUTCOME = "outcome of a check"  # the name under which a report of pytest has it
 TIERS = {tier.split()[0]: tier for tier in SUITES}  # as --tier takes them
 
 
@@ -91,7 +93,7 @@ class Item(pytest.Item):
 
     def runtest(self) -> None:
         outcome = self.config.stash[GRADING].judge(self.check)
-        self.config.stash[RESULTS].outcomes[self.name] = outcome
+        self.user_properties.append((OUTCOME, pickle.dumps(outcome)))
         if outcome.state == WAITING:
             if self.config.option.maxfail == 1:  # -x
                 self.session.shouldfail = "stopping at the first check that waits"
@@ -109,8 +111,15 @@ def name_of(report: Any) -> str:
 
 
 def pytest_report_teststatus(report: Any, config: pytest.Config) -> tuple[str, str, str] | None:
-    """Give a check that waits its own letter and word."""
-    outcome = config.stash[RESULTS].outcomes.get(name_of(report))
+    """Take the outcome of a check out of its report, which may come from another process.
+
+    Give a check that waits its own letter and word.
+    """
+    outcomes = config.stash[RESULTS].outcomes
+    for key, pickled in report.user_properties:
+        if key == OUTCOME:
+            outcomes[name_of(report)] = pickle.loads(pickled)
+    outcome = outcomes.get(name_of(report))
     if report.skipped and outcome and outcome.state == WAITING:
         return WAITING, "w", "WAITING"
     return None

@@ -98,10 +98,14 @@ SHOWN = """\
     return new1/r_param, new2/r_param"""
 
 
-def test_the_readme_shows_a_real_screen(starter):
+@pytest.mark.parametrize("options", slow_except([""], ["", "-n 2"]))
+def test_the_readme_shows_a_real_screen(starter, options):
+    """Nothing stands above it, but for lines of pytest-xdist."""
     write(starter, *FUNCTIONS, handle_collision=SHOWN)
-    _, rows = pytest_in(starter)
-    screen = "\n".join(f"    {row}".rstrip() for row in rows[1:-1])
+    _, rows = pytest_in(starter, *options.split())
+    begin = [row.startswith("___") for row in rows].index(True)
+    assert options or begin == 1
+    screen = "\n".join(f"    {row}".rstrip() for row in rows[begin:-1])
     assert f"\n{screen}\n" in README, f"It shows another screen. Now it is:\n{screen}"
 
 
