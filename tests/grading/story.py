@@ -39,7 +39,8 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
     facts = []
     trace = Trace(WORDS, lambda code: is_watched(code, check.function), is_named)
     errors = [error]
-    if can_repeat(grader, error):
+    # Not in a debugger, and not what waits for long
+    if not grader.limits.is_debugged and grader.limits.stopped_by != CLOCK:
         again = ask_again(grader, check, trace)
         if again:
             errors = again
@@ -57,13 +58,6 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
     if error.raised and not error.raised.limit:
         place = f"{place_of(error.raised, check.function) or ''}"
     return Story(what_is_wrong(error, hint, has_rows=bool(rows)), rows, below, place)
-
-
-def can_repeat(grader: Grader, error: WrongError) -> bool:
-    """Return whether a call can be made again: not in a debugger, and not for each limit."""
-    took_memory = error.raised and isinstance(error.raised.error, MemoryError)
-    limits = grader.limits
-    return not took_memory and not limits.is_debugged and limits.stopped_by != CLOCK
 
 
 def ask_again(grader: Grader, check: Check, trace: Trace) -> list[WrongError]:

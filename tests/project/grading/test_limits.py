@@ -37,12 +37,12 @@ STOPPED = [
 def test_what_takes_too_much_is_stopped_and_not_called_again(
     solve, capsys, function, body, within, message
 ):
-    """Only the lines of what takes processor time are watched."""
+    """The lines of what waits are not watched."""
     solve(function, f"print('called')\n{body}")
     first, second, *_ = outcomes_of(function, users=False, **within).values()
     assert f"{function} {message}." in first.message
     assert ("rate?" in first.message) == (function == PROGRAM)
-    assert bool(first.story.rows) == ("patience" in within)
+    assert bool(first.story.rows) == ("waiting" not in within)
     assert second.message == f"waits for {function}"
     assert capsys.readouterr().out == "called\n"
     bytearray(10**8)  # the memory is limited no longer

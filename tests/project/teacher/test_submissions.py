@@ -50,8 +50,7 @@ MAC = {**below("cradle/"), "cradle/src/._swinging.py": "x", "__MACOSX/src/swingi
 MAC["cradle/src/../../a.py"] = "x"  # a way out
 # A class, and the student who has handed all in
 FORMS = {
-    "a folder": (below("Bea B\u00e9/my cradle/"), "Bea B\u00e9"),
-    "without src": (below("2026_11_301_ann/", FLAT), "2026_11_301_ann"),
+    "a folder": (below("2026_11_301_Be\u00e9/my cradle/", FLAT), "2026_11_301_Be\u00e9"),
     "a .zip of macOS": ({"O'Brien.ZIP": zip_of(MAC)}, "O'Brien"),
     "a .zip of Windows": ({"lab_3_1_li.zip": zip_of(renamed("/", "\\"))}, "lab_3_1_li"),
     "Canvas": (below("li_LATE_12_345_", FLAT), "li_12"),
