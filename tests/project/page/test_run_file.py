@@ -174,17 +174,12 @@ def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(page, tmp_
 
 def test_the_page_saves_its_run(shared):
     shared.locator(".keep summary").click()
-    shared.wait_for_function("() => parseFloat(state.motion.t) > 0.5")
     shared.route("**/run.html*", lambda route: route.abort(), times=1)
     press(shared, "Save this run")
     message = shared.get_by_role("alert").get_by_text("so it is not saved")
     message.wait_for()
     name, file = pages.saved(shared, "Save this run")
     assert name == "My cradle.html"
-    now = pages.readout(shared, "t")
     assert not message.is_visible()
     key = shared.url.partition("key=")[2]
     assert key not in file.read_text(encoding="utf-8") + pictures_in(file)
-    first, *_, last = map(float, re.findall('"t":"([0-9.]+) s', pictures_in(file)))
-    assert first == 0
-    assert 0.5 <= last <= now
