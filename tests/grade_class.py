@@ -9,8 +9,9 @@ import shutil
 import subprocess
 import sys
 from argparse import Namespace
-from concurrent.futures import as_completed, ThreadPoolExecutor, wait
-from contextlib import suppress
+from collections.abc import Collection, Iterator
+from concurrent.futures import as_completed, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory, TemporaryFile
 from typing import NoReturn
@@ -22,11 +23,10 @@ import grading.begin  # noqa: F401
 
 from make_starter import make_starter
 
-from grading.given import GIVEN_FUNCTIONS
 from support.start.end import ended_quietly, on_signals
 from support.start.options import OneLineParser
 from support.start.output import in_one_line, progress_bar
-from teacher.containers import find_engine, Runner
+from teacher.containers import find_engine, LATE, Runner, SECONDS
 from teacher.one_run import Result, without_grade
 from teacher.submissions import pack, submissions_in
 from teacher.table import write_table
@@ -48,12 +48,15 @@ def main() -> None:
         make_grader(folder, options.starter)
         runner = Runner(folder) if options.here else find_engine(folder, options.packages)
         runner.prepare()
-        starter: dict[str, Result] = {}
-        grade_all({"": []}, runner, starter, stderr=None)
-        if not starter[""].get("is_final"):
-            why = [*starter[""]["problems"], *starter[""]["text"].splitlines()]
+        with ThreadPoolExecutor(1) as worker:
+            run = worker.submit(grade, runner, [], stderr=None)
+            with ended([run], runner):
+                starter = run.result()
+        if not starter.get("is_final"):
+            why = [*starter["problems"], *starter["text"].splitlines()]
             raise OSError(0, why[-1], "The starter")
         options.grades.mkdir(mode=0o700, exist_ok=True)
+        options.grades.chmod(0o700)
         try:
             grade_all(options.students, runner, results)
         finally:
@@ -89,10 +92,10 @@ def read_options() -> Namespace:
         options.grades = folder.with_name(f"{folder.name}-grades")
     except ValueError as error:
         parser.error(f"argument SUBMISSIONS: {error}")
-    starter = options.starter
-    if starter and not (starter / GIVEN_FUNCTIONS).is_file():
+    tests = options.starter and options.starter / "tests"
+    if tests and (not (tests / "grading").is_dir() or (tests / "project").is_dir()):
         allowed = "a folder made by make_starter.py"
-        parser.error(f"argument --starter: found '{starter}', allowed is {allowed}")
+        parser.error(f"argument --starter: found '{options.starter}', allowed is {allowed}")
     return options
 
 
@@ -106,36 +109,35 @@ def make_grader(folder: Path, starter: Path | None = None) -> None:
     shutil.copytree(teacher, folder / "tests" / "teacher", ignore=shutil.ignore_patterns("__*"))
 
 
-def grade_all(
-    students: dict[str, list[Path]],
-    runner: Runner,
-    results: dict[str, Result],
-    stderr: int | None = subprocess.DEVNULL,
-) -> None:
-    """Grade all students, one on each core; then those again, each alone, that are not sure.
-
-    runner.run says what stderr is. However this ends, as after Ctrl+C, so do all runs.
-    """
+def grade_all(students: dict[str, list[Path]], runner: Runner, results: dict[str, Result]) -> None:
+    """Grade all students, one on each core; then those again, each alone, that are not sure."""
     unsure = [*students]
     with progress_bar() as progress:
         for cores in (os.cpu_count() or 1, 1):
             with ThreadPoolExecutor(cores) as workers:
                 runs = {}
                 for student in unsure:
-                    runs[workers.submit(grade, runner, students[student], stderr)] = student
-                try:
+                    runs[workers.submit(grade, runner, students[student])] = student
+                with ended(runs, runner):
                     for run in as_completed(runs):
                         results[runs[run]] = run.result()
                         progress(len(results) / len(students))
-                finally:
-                    for run in runs:
-                        run.cancel()
-                    while wait(runs, timeout=LOOK_AGAIN).not_done:
-                        runner.end_all()
             unsure = [student for student in unsure if not results[student].get("is_final")]
 
 
-def grade(runner: Runner, paths: list[Path], stderr: int | None) -> Result:
+@contextmanager
+def ended(runs: Collection[Future], runner: Runner) -> Iterator[None]:
+    """At the end of the body, end the runs that go on, as after Ctrl+C: the main thread waits."""
+    try:
+        yield
+    finally:
+        for run in runs:
+            run.cancel()
+        while wait(runs, timeout=LOOK_AGAIN).not_done:
+            runner.end_all()
+
+
+def grade(runner: Runner, paths: list[Path], stderr: int | None = subprocess.DEVNULL) -> Result:
     """Return the result of what a student has handed in; runner.run says what stderr is."""
     with TemporaryFile(buffering=0) as submission:
         try:
@@ -144,12 +146,15 @@ def grade(runner: Runner, paths: list[Path], stderr: int | None) -> Result:
         except OSError as error:
             return without_grade([f"cannot be read: {error}"])
         status, output = runner.run(submission, stderr)
-    with suppress(Exception):
+    with suppress(ValueError, LookupError, TypeError, RecursionError):
         result = json.loads(output)
         # A solution can have written it
         if isinstance(result["problems"], list) and isinstance(result["text"], str):
             return result
-    return without_grade([f"no grade: the run ended with status {status}"])
+    problem = f"no grade: the run ended with status {status}"
+    if status == LATE:
+        problem = f"no grade: the run took longer than {SECONDS} s"
+    return without_grade([problem])
 
 
 if __name__ == "__main__":

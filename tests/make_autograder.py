@@ -16,6 +16,7 @@ import grading.begin  # noqa: F401
 
 from grade_class import make_grader
 
+from support.files.data_file import whole_file
 from support.start.end import ended_quietly
 from support.start.options import OneLineParser
 from support.start.output import in_one_line
@@ -29,14 +30,15 @@ def main() -> None:
     file = parser.parse_args().file
     if file.suffix != ".zip" or file.exists():
         parser.error(f"argument FILE.zip: found '{file}', allowed is a new file that ends in .zip")
-    with TemporaryDirectory() as work:
+    with whole_file(file) as archive, TemporaryDirectory() as work:
         folder = Path(work, "autograder")
         make_grader(folder)
         # https://gradescope-autograders.readthedocs.io/en/latest/specs/
         for name in ("setup.sh", "run_autograder"):
             shutil.copy(folder / "tests" / "teacher" / name, folder)
             (folder / name).chmod(0o755)
-        shutil.make_archive(f"{file.with_suffix('')}", "zip", folder)
+        packed = shutil.make_archive(f"{folder}", "zip", folder)
+        archive.buffer.write(Path(packed).read_bytes())
     print(in_one_line(f"{file} is ready. On Gradescope, upload it under Configure Autograder."))
 
 

@@ -8,31 +8,48 @@ import os
 import subprocess
 import sys
 import threading
-from contextlib import suppress
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import IO
+from uuid import uuid4
 
 from support.start.output import complain
 
 ONE_RUN = "tests/teacher/one_run.py"
 BASE = os.environ.get("CRADLE_BASE", "")  # an image in place of the one in the Containerfile
 SECONDS = 300  # of a run, by the clock
+LATE = 124  # the exit status of a run that takes longer, as the command timeout has it
+SPARE = 15  # s in which a container begins, and ends
 MOST_BYTES = 2_000_000  # of a result
+PATIENCE = 60  # s for an answer of the engine
 
-# Options of the engine. It would hand on the address of a proxy, which may have a password. The
-# memory is for a submission with its files; grading/limits.py allows 1 GB.
-LIMITS = """
-    --rm --interactive --pull=never --log-driver=none --network=none
-    --env=http_proxy= --env=https_proxy= --env=ftp_proxy=
-    --env=HTTP_PROXY= --env=HTTPS_PROXY= --env=FTP_PROXY=
-    --user=65534:65534 --cap-drop=all --security-opt=no-new-privileges
-    --memory=1500m --memory-swap=1500m --oom-score-adj=1000 --stop-timeout=0
-    --read-only --tmpfs=/cradle:rw,size=50m,mode=1777 --shm-size=1m
-    --pids-limit=12 --ulimit=nproc=4096:4096 --ulimit=nofile=256:256
-    --ulimit=cpu=60:60 --ulimit=fsize=40000000:40000000 --ulimit=core=0:0
-"""
-OF_PODMAN = " --read-only-tmpfs=false"  # or /tmp is open
+# Options of the engine; one with several values is given once for each.
+LIMITS = {
+    "rm": "true",
+    "interactive": "true",
+    "pull": "never",
+    "log-driver": "none",
+    "network": "none",
+    # An engine would hand on the address of a proxy, which may have a password
+    "env": "http_proxy= https_proxy= ftp_proxy= HTTP_PROXY= HTTPS_PROXY= FTP_PROXY=",
+    "user": "65534:65534",
+    "cap-drop": "all",
+    "security-opt": "no-new-privileges",
+    # For a submission with its files; grading/limits.py allows 1 GB
+    "memory": "1500m",
+    "memory-swap": "1500m",
+    "read-only": "true",
+    "tmpfs": "/cradle:rw,size=50m,mode=1777",
+    "shm-size": "1m",
+    "pids-limit": "12",
+    "oom-score-adj": "1000",
+    "stop-timeout": "0",
+    "ulimit": "core=0:0 cpu=60:60 fsize=40000000:40000000 nofile=256:256 nproc=4096:4096",
+}
+OF_PODMAN = {
+    "read-only-tmpfs": "false",  # or /tmp is open
+    "timeout": f"{SECONDS + SPARE}",  # also if this program is killed
+}
 ENGINES = ("podman", "docker")
 
 
@@ -53,8 +70,8 @@ class Runner:
 
         It writes errors to stderr, as subprocess takes it.
         """
+        name = f"cradle-{uuid4().hex}"
         with TemporaryDirectory(prefix="cradle-", ignore_cleanup_errors=True) as work:
-            name = Path(work).name
             process = subprocess.Popen(
                 self.command(name),
                 cwd=work,
@@ -65,7 +82,8 @@ class Runner:
                 start_new_session=True,  # Ctrl+C is for this program
             )
             self.running[name] = process
-            late = threading.Timer(SECONDS, self.end, [name, process])
+            # An engine can hang, and a solution can stop all processes of its container
+            late = threading.Timer(SECONDS + SPARE, self.end, [name, process])
             late.start()
             with process:
                 output = process.stdout.read(MOST_BYTES + 1)  # type: ignore[union-attr]
@@ -103,15 +121,19 @@ class Engine(Runner):
         self.image = ""  # its number
         self.call("info")
 
-    def call(self, *words: str) -> None:
-        """Let the engine do a command. Raises an OSError if it fails."""
+    def call(self, *words: str) -> str:
+        """Return what a command of the engine prints. Raises an OSError if it fails."""
+        command = [self.program, *words]
         try:
-            done = subprocess.run([self.program, *words], capture_output=True, text=True)
+            done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
         except FileNotFoundError:
             raise OSError(0, "is not installed", self.program) from None
+        except subprocess.TimeoutExpired:
+            raise TimeoutError(0, "does not answer", self.program) from None
         if done.returncode:
             reason = [f"status {done.returncode}", *done.stderr.strip().splitlines()][-1]
             raise OSError(0, f"does not run: {reason}", self.program)
+        return done.stdout
 
     def prepare(self) -> None:
         """Build the image, as far as it is not there. Raises an OSError if this fails."""
@@ -128,14 +150,28 @@ class Engine(Runner):
         if build.returncode:
             raise OSError(0, "cannot be built", "The image")
 
+    def run(self, submission: IO[bytes], stderr: int | None) -> tuple[int, bytes]:
+        status, output = super().run(submission, stderr)
+        if status:
+            self.call("info")  # or the class ends here
+        return status, output
+
     def command(self, name: str) -> list[str]:
-        limits = LIMITS + OF_PODMAN if self.program == "podman" else LIMITS
-        program = ["python", f"/autograder/source/{ONE_RUN}"]
-        return [self.program, "run", f"--name={name}", *limits.split(), self.image, *program]
+        command = [self.program, "run", f"--name={name}"]
+        limits = LIMITS | OF_PODMAN if self.program == "podman" else LIMITS
+        for option, values in limits.items():
+            command += [f"--{option}={value}" for value in values.split()]
+        # No signal of a solution ends or stops the first process
+        command += [self.image, "timeout", "-k", "5", str(SECONDS)]
+        return [*command, "python", f"/autograder/source/{ONE_RUN}"]
 
     def end(self, name: str, process: subprocess.Popen) -> None:
-        with suppress(OSError):  # the run has just ended, or has not begun
+        try:
             self.call("rm", "--force", name)
+        except TimeoutError:  # the engine hangs
+            process.kill()
+        except OSError:  # the run has just ended, or has not begun
+            pass
 
 
 def find_engine(folder: Path, packages: str) -> Engine:

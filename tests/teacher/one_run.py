@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import sys
+from importlib.util import decode_source
 from pathlib import Path
 from typing import Any, IO
 
@@ -25,6 +26,7 @@ PYTEST = "-m pytest --assert=plain -p no:cacheprovider -o faulthandler_timeout=2
 GRADE = Path("project", "grade.json")
 OUTPUT = Path("output.txt")
 MOST_LETTERS = 3000  # of the end of what pytest prints
+MOST_PROBLEMS = 20
 
 # The columns of the table, "text" for the student, and "is_final": nothing that ran beside it can
 # have changed it. Without a grade, some are not there.
@@ -33,7 +35,7 @@ Result = dict[str, Any]
 
 def main() -> None:
     """Read a submission on stdin, and print its result."""
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(137))  # this ends pytest, too
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))  # this ends pytest, too
     result = result_of(sys.stdin.buffer)
     if "--gradescope" in sys.argv:
         # https://gradescope-autograders.readthedocs.io/en/latest/specs/
@@ -54,7 +56,7 @@ def result_of(submission: IO[bytes]) -> Result:
         if not content.strip() and place in HANDOUT.values():
             problems.append(f"{place} is empty")
         try:
-            ast.parse(content, place)
+            ast.parse(decode_source(content), place)
         except Exception as error:  # a SyntaxError, another encoding, or it is too deep
             problems.append(f"{place} is not Python: {error}")
     status = run_pytest()
@@ -63,7 +65,7 @@ def result_of(submission: IO[bytes]) -> Result:
     except (OSError, ValueError, RecursionError):  # a solution can have written it
         problems.append(f"no grade: pytest ended with status {status}")
         printed = OUTPUT.read_text(encoding="utf-8", errors="replace")
-        return without_grade(problems, printed[-MOST_LETTERS:])
+        return without_grade(problems[-MOST_PROBLEMS:], printed[-MOST_LETTERS:])
     for name in sorted({*re.findall(r"No module named '([\w.]+)", json.dumps(grade))}):
         problems.append(f"no module {name}: a file is missing, or a package (--packages)")
     points = {tier: counts["points"] for tier, counts in grade["tiers"].items()}
@@ -72,7 +74,7 @@ def result_of(submission: IO[bytes]) -> Result:
         "points": sum(points.values()) - points[HONOR],
         **points,
         "next": grade["next"],
-        "problems": problems,
+        "problems": problems[:MOST_PROBLEMS],
         "text": "\n".join(grade["text"]),
         "is_final": grade["final"] and status in (0, 1),
     }

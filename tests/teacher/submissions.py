@@ -12,6 +12,7 @@ from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
 from io import BytesIO
 from pathlib import Path, PurePath, PurePosixPath
+from stat import S_ISLNK
 from typing import IO, NamedTuple
 
 from grading.assignment import FUNCTIONS, HONOR
@@ -38,6 +39,10 @@ FORM = re.compile(
 ARCHIVE = re.compile(r"(\.tar)?\.(zip|tar|tgz|gz|bz2|xz|7z|rar)$", re.IGNORECASE)
 AGAIN = re.compile(r" ?[-(](\d{1,9})\)?(?=\.py$)")  # swinging-1.py, "swinging (1).py"
 OF_OTHERS = {"__MACOSX", "site-packages"}  # folders without a student's work
+OF_STARTER = {"support", "tests"}  # folders in which only constants.py is a student's
+
+LARGEST = 1_000_000  # bytes of a Python file
+MOST_BYTES = 20_000_000  # of all Python files
 
 
 def submissions_in(folder: Path) -> tuple[dict[str, list[Path]], list[str]]:
@@ -79,14 +84,9 @@ def owner_of(path: Path) -> tuple[str, str]:
 
 
 def can_count(path: PurePath) -> bool:
-    """Return whether no part of a path is hidden, or `..`, or a folder of others."""
-    is_hidden = any(part.startswith(".") for part in path.parts)
-    return not is_hidden and OF_OTHERS.isdisjoint(path.parts)
-
-
-def is_read(path: PurePath) -> bool:
-    """Return whether a path is that of a Python file or an archive."""
-    return path.suffix == ".py" or bool(ARCHIVE.search(path.name))
+    """Return whether no part of a path is hidden, or a folder of others."""
+    hidden = [part for part in path.parts if part.startswith(".") and part != ".."]
+    return not hidden and OF_OTHERS.isdisjoint(path.parts)
 
 
 def pack(paths: list[Path], out: IO[bytes]) -> None:
@@ -103,41 +103,46 @@ def packed(entry: tarfile.TarInfo) -> tarfile.TarInfo | None:
     return entry if can_count(path) and (entry.isdir() or is_read(path)) else None
 
 
-class File(NamedTuple):
-    """A file that was handed in."""
+def is_read(path: PurePosixPath) -> bool:
+    """Return whether a file is a Python file or an archive."""
+    return path.suffix == ".py" or bool(ARCHIVE.search(path.name))
 
-    path: PurePosixPath
+
+class Member(NamedTuple):
+    """A file in an archive. It must be read before the next one."""
+
+    name: str
+    size: int  # bytes
     modified: tuple[int, ...]  # the time, from the year to the second
-    content: bytes
-
-    @property
-    def name(self) -> str:
-        """Its name, without the number of a file that was handed in again."""
-        return AGAIN.sub("", self.path.name)
+    content: IO[bytes] | None  # None for a link or a device
 
 
-def files_of_tar(stream: IO[bytes]) -> Iterator[File]:
-    """Yield the files of a .tar, also of a .tar.gz, but no links."""
+def members_of_tar(stream: IO[bytes]) -> Iterator[Member]:
+    """Yield the files of a .tar, also of a .tar.gz."""
     with tarfile.open(fileobj=stream, mode="r|*") as tar:
         for info in tar:
-            path = path_of(info.name)
-            if info.isfile() and is_read(path):
-                content = tar.extractfile(info).read()  # type: ignore[union-attr]
-                yield File(path, time.localtime(info.mtime)[:6], content)
+            if not info.isdir():
+                content = tar.extractfile(info) if info.isfile() else None
+                yield Member(info.name, info.size, time.localtime(info.mtime)[:6], content)
 
 
-def files_of_zip(stream: IO[bytes]) -> Iterator[File]:
-    """Yield the files of a .zip."""
+def members_of_zip(stream: IO[bytes]) -> Iterator[Member]:
+    """Yield the Python files of a .zip: the others need not be unpacked."""
     with zipfile.ZipFile(stream) as archive:
         for info in archive.infolist():
-            path = path_of(info.filename)
-            if is_read(path):
-                yield File(path, info.date_time, archive.read(info))
+            if info.filename.endswith(".py"):
+                is_link = S_ISLNK(info.external_attr >> 16)
+                content = None if is_link else archive.open(info)
+                yield Member(info.filename, info.file_size, info.date_time, content)
 
 
-def path_of(name: str) -> PurePosixPath:
-    """Return the path of a file in an archive: some programs of Windows write other separators."""
-    return PurePosixPath(name.replace("\\", "/"))
+class File(NamedTuple):
+    """A Python file that was handed in."""
+
+    path: PurePosixPath
+    name: str  # without the number of a file that was handed in again
+    modified: tuple[int, ...]
+    content: bytes
 
 
 def unpack(stream: IO[bytes], problems: list[str], archive: str = "") -> Iterator[File]:
@@ -145,15 +150,29 @@ def unpack(stream: IO[bytes], problems: list[str], archive: str = "") -> Iterato
 
     archive is the name of such an archive.
     """
-    files_of = files_of_zip if archive.lower().endswith(".zip") else files_of_tar
+    is_zip = archive.lower().endswith(".zip")
+    size = 0
     try:
-        for file in files_of(stream):
-            if not can_count(file.path):
+        for member in members_of_zip(stream) if is_zip else members_of_tar(stream):
+            # Some programs of Windows write other separators
+            path = PurePosixPath(archive, member.name.replace("\\", "/"))
+            is_archive = path.suffix != ".py"
+            if not can_count(path) or not is_read(path) or (is_archive and archive):
                 continue
-            if file.path.suffix == ".py":
-                yield file._replace(path=archive / file.path)
-            elif not archive:
-                yield from unpack(BytesIO(file.content), problems, file.path.name)
+            if member.content is None:
+                problems.append(f"left out {path}: it is a link or a device")
+            elif ".." in path.parts:
+                problems.append(f"left out {path}: it is outside of the folder")
+            elif is_archive:
+                yield from unpack(BytesIO(member.content.read()), problems, path.name)
+            elif member.size > LARGEST:
+                problems.append(f"left out {path}: it has more than {LARGEST:,} bytes")
+            else:
+                size += member.size
+                if size > MOST_BYTES:
+                    raise ValueError(f"its Python files have more than {MOST_BYTES:,} bytes")
+                name = AGAIN.sub("", path.name)
+                yield File(path, name, member.modified, member.content.read())
     except Exception as error:  # it can be damaged in many ways
         problems.append(f"{archive or 'the rest'} cannot be read: {error}")
 
@@ -164,15 +183,15 @@ def choose(files: Iterable[File], problems: list[str]) -> dict[str, bytes]:
     These are the handout's, and the others of the folder in which most of these are.
     """
     chosen: dict[str, File] = {}
-    by_age = sorted(files, key=age_of)
-    for file in by_age:
+    own = [file for file in sorted(files, key=age_of) if is_own(file)]
+    for file in own:
         place = HANDOUT.get(file.name)
         if place and (place != CONSTANTS or b"NC_FP" in file.content):  # or it is one's own file
             take(chosen, place, file, problems)
     problems += [f"{place} is missing" for place in REQUIRED if place not in chosen]
     folders = Counter(file.path.parent for file in chosen.values())
     for folder, _ in folders.most_common(1):
-        for file in by_age:
+        for file in own:
             if file.path.is_relative_to(folder):
                 place = f"src/{file.path.relative_to(folder).with_name(file.name)}"
                 if place not in HANDOUT.values():
@@ -185,6 +204,13 @@ def age_of(file: File) -> tuple[int, tuple[int, ...]]:
     again = AGAIN.search(file.path.name)
     number = int(again[1]) if again else 0
     return number, file.modified
+
+
+def is_own(file: File) -> bool:
+    """Return whether a file can be the student's own, not the starter's."""
+    if file.name == "constants.py":
+        return True
+    return file.name != "pendulum.py" and OF_STARTER.isdisjoint(file.path.parts)
 
 
 def take(chosen: dict[str, File], place: str, file: File, problems: list[str]) -> None:

@@ -11,7 +11,8 @@ from support.start.output import in_one_line
 from teacher.one_run import Result
 
 COLUMNS = ["grade", "points", *SUITES, "next", "problems"]
-MOST_LETTERS = 2000  # of a cell
+MOST_LETTERS = 2000  # of a cell, and of a line
+MOST_LINES = 200
 # The beginning of a formula: of a cell, or where a spreadsheet in many countries splits it
 FORMULA = re.compile(r'(^|;)([\s"]*[=+\-@])')
 
@@ -32,13 +33,15 @@ def write_table(folder: Path, results: dict[str, Result]) -> Path:
     for student, result in results.items():
         lines = [student, *map(str, result["problems"]), "", *result["text"].split("\n")]
         with whole_file(folder / f"{student}.txt") as out:
-            for line in lines:
-                print(in_one_line(line), file=out)
+            for line in lines[:MOST_LINES]:
+                print(in_one_line(line[:MOST_LETTERS]), file=out)
     return table
 
 
-def cell(value: object) -> str:
-    """Return a value as a cell: a text that no spreadsheet calculates."""
+def cell(value: object) -> str | int:
+    """Return a value as a cell: a number of points, or a text that no spreadsheet calculates."""
+    if isinstance(value, int) and 0 <= value < 100:
+        return value
     if isinstance(value, list):
         value = ". ".join(map(str, value))
     return FORMULA.sub(r"\1'\2", in_one_line(str(value)[:MOST_LETTERS]))

@@ -1,6 +1,7 @@
 """The rule that finds the files of a submission: what each student has handed in, what counts."""
 
-import shutil
+import stat
+import tarfile
 import zipfile
 from io import BytesIO
 
@@ -33,6 +34,17 @@ def zip_of(files) -> bytes:
     return whole.getvalue()
 
 
+def tar_of(files) -> bytes:
+    """Return a .tar.gz with these files."""
+    whole = BytesIO()
+    with tarfile.open(fileobj=whole, mode="w:gz") as archive:
+        for name, content in files.items():
+            info = tarfile.TarInfo(name)
+            info.size = len(content)
+            archive.addfile(info, BytesIO(content.encode()))
+    return whole.getvalue()
+
+
 def found_in(folder):
     """Return the files and the problems of each student, as host and container find them."""
     found = {}
@@ -47,12 +59,13 @@ def found_in(folder):
 
 FLAT = renamed("src/", "")
 MAC = {**below("cradle/"), "cradle/src/._swinging.py": "x", "__MACOSX/src/swinging.py": "x"}
-MAC["cradle/src/../../a.py"] = "x"  # a way out
 # A class, and the student who has handed all in
 FORMS = {
-    "a folder": (below("2026_11_301_Be\u00e9/my cradle/", FLAT), "2026_11_301_Be\u00e9"),
+    "a folder": (below("Bea B\u00e9/my cradle/"), "Bea B\u00e9"),
+    "without src": (below("2026_11_301_ann/", FLAT), "2026_11_301_ann"),
     "a .zip of macOS": ({"O'Brien.ZIP": zip_of(MAC)}, "O'Brien"),
     "a .zip of Windows": ({"lab_3_1_li.zip": zip_of(renamed("/", "\\"))}, "lab_3_1_li"),
+    "a .tar.gz": ({"cy.tar.gz": tar_of(below("./"))}, "cy"),
     "Canvas": (below("li_LATE_12_345_", FLAT), "li_12"),
     "Canvas, a .zip": ({"li_12_345_my_1_222_cradle.zip": zip_of(SRC)}, "li_12"),
     "Moodle": (below("Fay F_9_assignsubmission_file_", FLAT), "Fay F_9"),
@@ -65,12 +78,6 @@ def test_each_form_of_a_submission_is_found(tmp_path, files, student):
     put_files(tmp_path, {**files, "notes.txt": "", ".git/a": "", "__MACOSX/a.py": ""})
     assert found_in(tmp_path) == {student: (READ, [])}
     assert submissions_in(tmp_path)[1] == ["notes.txt"]
-
-
-def test_a_tar_gz_is_found(tmp_path):
-    folder = put_files(tmp_path / "cradle", SRC)
-    shutil.make_archive(f"{tmp_path}/class/cy", "gztar", folder)
-    assert found_in(tmp_path / "class") == {"cy": (READ, [])}
 
 
 def test_files_of_two_students_are_kept_apart(tmp_path):
@@ -86,9 +93,11 @@ DOUBLE = "visualize_double_cradle_run.py"
 OF_STARTER = {"support/pendulum.py": "x", "tests/test_a.py": "x", ".venv/swinging.py": "x"}
 CONSTANTS = {"src/constants.py": "NC_FP = 1"}
 OLD = zipfile.ZipInfo("swinging.py")  # of 1980
+LINK = zipfile.ZipInfo("link.py")
+LINK.external_attr = (stat.S_IFLNK | 0o777) << 16
 # The files of a submission, those that are found beside or in place of READ, and the problems
 RULE = {
-    "what is one's own": ({**OWN, **OF_STARTER, "notes.txt": ""}, OWN, []),
+    "what is one's own": ({**OWN, **OF_STARTER, "src/pendulum.py": "x", "notes.txt": ""}, OWN, []),
     "in another folder": ({f"a/{DOUBLE}": "", "a/b.py": ""}, {f"src/{DOUBLE}": ""}, []),
     "constants": (CONSTANTS, {**CONSTANTS, "support/constants.py": "NC_FP = 1"}, []),
     "a file again": (
@@ -107,6 +116,20 @@ RULE = {
     "the same twice": ({"old/swinging.py": SRC[SWINGING]}, {}, []),
     "an archive that is none": ({"a.rar": "x"}, {}, ["a.rar cannot be read: "]),
     "an archive in one": ({"a.zip": zip_of({"b.zip": zip_of({SWINGING: ""})})}, {}, []),
+    "odd files": (
+        {"a.zip": zip_of({"../a.py": "", LINK: "/", "large.py": "#" * 1_000_001})},
+        {},
+        [
+            "left out a.zip/../a.py: it is outside of the folder",
+            "left out a.zip/link.py: it is a link or a device",
+            "left out a.zip/large.py: it has more than 1,000,000 bytes",
+        ],
+    ),
+    "too much": (
+        {"a.zip": zip_of({f"{i}.py": "#" * 1_000_000 for i in range(21)})},
+        {},
+        ["a.zip cannot be read: its Python files have more than 20,000,000 bytes"],
+    ),
 }
 
 
@@ -121,11 +144,13 @@ def test_a_file_counts_by_its_name_and_problems_are_named(tmp_path, files, more,
 
 @on_posix
 def test_links_lead_to_nobody_elses_files(tmp_path):
-    put_files(tmp_path, {"secret.py": "x", "class/ann/src/swinging.py": "a"})
-    ann = tmp_path / "class" / "ann"
-    (ann / "pds_helper.py").symlink_to(tmp_path / "secret.py")
-    (tmp_path / "class" / "bea").symlink_to(ann)
+    src = (
+        put_files(tmp_path, {"secret.py": "x", "class/ann/src/swinging.py": "a"}) / "class" / "ann"
+    )
+    (src / "link.py").symlink_to(tmp_path / "secret.py")
+    (tmp_path / "class" / "bea").symlink_to(src)
     assert submissions_in(tmp_path / "class")[1] == ["bea"]
     files, problems = found_in(tmp_path / "class")["ann"]
     assert [*files] == [SWINGING]
+    assert "left out link.py: it is a link or a device" in problems
     assert "src/pds_helper.py is missing" in problems
