@@ -108,6 +108,9 @@ def require_pendula(make: Callable | str, pend_list: Any, keys: Iterable[str], p
         raise MistakeError(make, f"{must} {in_short(repr(pend_list))}.")
     require_numbers(make, pend_list, keys)
     for number, pend in enumerate(pend_list, start=1):
+        if pend["mass"] <= 0:
+            found = f"set mass of pendulum {number} to {pend['mass']!r}"
+            raise MistakeError(make, f"{found}; it must be above 0.")
         objects = pend.get("objects")
         if not isinstance(objects, tuple) or len(objects) != parts:
             found = f"a {type(objects).__name__}" if "objects" in pend else "nothing"

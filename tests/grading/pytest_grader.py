@@ -5,10 +5,10 @@ to the first one, which shows the table.
 """
 
 import json
+import os
 import pickle
 import sys
 from collections.abc import Iterator
-from os import _exit as end_process  # a check takes os._exit away
 from pathlib import Path
 from shutil import get_terminal_size
 from typing import Any
@@ -25,6 +25,7 @@ from grading.grade import Results
 from grading.grader import Grader
 from grading.outcomes import FAILED, FAULT, Grading, PASSED, WAITING
 from grading.screen import Line, Screen
+from support.files.data_file import whole_file
 
 GRADING = pytest.StashKey[Grading]()
 RESULTS = pytest.StashKey[Results]()  # of the checks of this run, as they are reported
@@ -59,7 +60,7 @@ def end_now(config: pytest.Config, line: str) -> None:
         capture.suspend_global_capture()
     sys.stderr.write(f"\n{line}\n")
     sys.stderr.flush()
-    end_process(1)
+    os._exit(1)
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
@@ -140,7 +141,11 @@ def pytest_sessionfinish(session: Any) -> None:
         session.exitstatus = pytest.ExitCode.TESTS_FAILED
     file = config.option.grade_json
     if file and results.outcomes:
-        Path(file).write_text(json.dumps(grade_of_run(config), indent=4))
+        try:
+            with whole_file(file) as out:
+                json.dump(grade_of_run(config), out, indent=4)
+        except OSError as error:
+            raise pytest.UsageError(f"--grade-json: {file}: {error.strerror}") from None
 
 
 def grade_of_run(config: pytest.Config) -> dict:

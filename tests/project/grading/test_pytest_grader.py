@@ -5,6 +5,7 @@ from programs import python, slow_except
 from students import PYTEST
 
 SLIPS = {  # words behind python, and a part of what it prints
+    f"{PYTEST} --grade-json no/a.json": "--grade-json: no/a.json: No such file or directory",
     "tests/test_d.py": "These are checks. Type pytest in this folder to run them.",
     "src/swinging.py": "This file has only functions. Type pytest in this folder",
     "src/begin_page.py": "This file has only functions. Type pytest in this folder",
