@@ -132,11 +132,10 @@ def test_the_functions_get_the_csv_that_was_checked_also_if_it_has_changed(save)
             assert extract_and_convert(file) == MIXED
 
 
-@pytest.mark.parametrize("text", ["1_000", "0.00000000000000000000012345"])
-def test_a_number_for_the_check_is_the_same_number_for_the_functions(text, save):
-    """pandas has rules of its own, which change from version to version."""
-    with file_for_pandas(read_cradle(Snapshot(save(HEADER + row(mass=text))))) as file:
-        assert extract_and_convert(file)[0]["mass"] == float(text)
+def test_a_number_for_the_check_is_the_same_number_for_the_functions(save):
+    """pandas has rules of its own: for it, this is a text."""
+    with file_for_pandas(read_cradle(Snapshot(save(HEADER + row(mass="1_000"))))) as file:
+        assert extract_and_convert(file)[0]["mass"] == 1000
 
 
 def test_an_edit_leaves_the_other_cells_as_they_are():

@@ -1,7 +1,6 @@
 """What students are handed: made, and graded as it is and with solutions."""
 
 import ast
-import json
 import os
 import re
 from pathlib import Path
@@ -10,9 +9,9 @@ from unittest.mock import Mock
 import pytest
 from make_starter import is_left_out, make_starter
 from programs import python, ROOT
-from students import change, COUNTS, graded_in, put_files, pytest_in, write
+from students import change, COUNTS, graded_in, pytest_in, write
 
-from grading.assignment import FUNCTIONS, IMPORTS, PROGRAM, SUITES
+from grading.assignment import FUNCTIONS, IMPORTS, PROGRAM
 from grading.given import definitions
 
 HANDOUTS = {function.file for function in FUNCTIONS.values()}
@@ -60,23 +59,6 @@ def test_the_lines_of_the_handout_are_there_as_it_has_them(made):
         assert lines in (made / "src" / f"{name}.py").read_text().replace('"', "'")
 
 
-def test_vs_code_hides_what_is_there_and_no_file_of_a_student(starter):
-    """Also after the programs and pytest have run."""
-    others = ".venv/bin/python", "uv.lock", ".pytest_cache/tag", "src/__pycache__/begin.pyc"
-    put_files(starter, dict.fromkeys(others, ""))
-    settings = json.loads((starter / ".vscode/settings.json").read_text())
-    hidden = set()
-    for pattern in settings["files.exclude"]:
-        found = [*starter.glob(pattern)]
-        assert found, pattern
-        hidden.update(found)
-    suites = {f"tests/{suite}.py" for suite in SUITES.values()}
-    for name in HANDOUTS | suites | {"README.md", "ASSIGNMENT.md", "support/constants.py"}:
-        path = starter / name
-        assert hidden.isdisjoint([path, *path.parents])
-        assert "handout" not in path.read_text(encoding="utf-8").lower(), name
-
-
 def test_the_triangle_on_the_constants_makes_no_error(made):
     assert python("support/constants.py", folder=made, PYTHONPATH="").stderr == ""
 
@@ -86,21 +68,6 @@ def test_the_page_and_the_grader_are_whole(made):
     assert not [*made.rglob("many_ticks.py")]
     for file in [*made.glob("support/**/*.py"), *made.glob("tests/grading/*.py")]:
         assert file.read_bytes() == (ROOT / file.relative_to(made)).read_bytes()
-
-
-def test_a_student_meets_no_reference_to_a_file_or_module_that_is_not_there(made):
-    for file in made.rglob("*.*"):
-        if file.suffix not in (".py", ".md", ".toml", ".html", ".json"):
-            continue
-        text = file.read_text(encoding="utf-8")
-        assert file.suffix != ".md" or "../" not in text
-        for path in re.findall(r"\b(?:src|support|tests)/[\w/]+\.\w+", text):
-            assert (made / path).exists() or "make_starter" in path, file
-        for module in re.findall(r"\b(?:src|support)(?:\.\w+)+", text):
-            path = made.joinpath(*module.split("."))
-            # A folder, a file, or a name in a file
-            places = (path, path.with_suffix(".py"), path.parent.with_suffix(".py"))
-            assert any(place.exists() for place in places), module
 
 
 def test_the_imports_of_the_handout_stay_and_those_of_our_own_helpers_fall(made):
@@ -125,16 +92,6 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out():
     Jupyter keeps whole solutions in such a folder.
     """
     assert all(map(is_left_out, ("._swinging.py", ".ipynb_checkpoints")))
-
-
-def test_the_workflow_for_github_has_the_lines_of_the_readme_and_the_base_of_the_image(made):
-    workflow = (made / ".github" / "workflows" / "classroom.yml").read_text()
-    lines = workflow.partition("run: |\n")[2].splitlines()
-    readme = (made / "README.md").read_text()
-    installs = re.findall(r"^    (.*\.venv/bin/pip .*)$", readme, re.MULTILINE)
-    assert [line.strip() for line in lines] == [*installs, ".venv/bin/pytest"]
-    base = re.search("container: (.+)", workflow)[1]
-    assert f"/{base}\n" in (ROOT / "tests" / "teacher" / "Containerfile").read_text()
 
 
 @pytest.mark.parametrize("place", ["deep/down/new", "."])
