@@ -11,6 +11,7 @@ Words
     release angle  the angle of the lifted cords from straight down, positive outwards, away from
                    the other pendula (degrees)
     run            a program from its top to the end of its loop, for one cradle
+    film           pictures of a run, in a file that any browser plays
     page           the page in the browser
     check          one of the graded checks that pytest runs; a function that refuses bad data is
                    named require_...

@@ -80,7 +80,7 @@ def is_pendulum(value: Any) -> bool:
     return isinstance(value, dict) and "objects" in value
 
 
-def play(program: Callable[[], Any], player: Player) -> None:
+def run(program: Callable[[], Any], player: Player) -> None:
     """Run a program whose loop asks this player."""
     global now
     now = Run(player)

@@ -11,7 +11,7 @@ from vpython import box, color, cylinder, sphere, textures, vector
 
 from grading.checks import check
 from grading.cradles import csv_of, ends_like, LEFT_OVER, left_over, MIXED, R, shapes
-from grading.csv_files import ASSISTANTS, FILES, files, LOOKS, MANY, ONE, SEVEN
+from grading.csv_files import ASSISTANTS, COLORS_AND_TEXTURES, FILES, files, MANY, ONE, SEVEN
 from grading.grader import expect, WrongError
 from grading.messages import Expected
 from grading.subject import Each, Several, Subject
@@ -333,7 +333,7 @@ def test_bobs_have_the_color_and_texture_of_their_row():
         (color.purple, textures.wood_old),
         (color.white, None),
     ]
-    many = [(value, image) for (_, value), (_, image) in LOOKS]
+    many = [(value, image) for (_, value), (_, image) in COLORS_AND_TEXTURES]
     for file, expected in (("mixed.csv", mixed), ("seven.csv", seven), ("many.csv", many)):
         expect_cradle(looks, Each(("color", "texture"), "bob"), expected, file)
 

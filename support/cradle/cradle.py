@@ -50,7 +50,7 @@ class Cradle:
         self.pend_list: list[Pendulum] = []
         self.count = 0  # the number of pendula
         self.hidden: Hidden | None = None  # a class finds it
-        self.own: list[str] = []  # what the program sets itself: COUNT, or columns of the CSV
+        self.set_by_program: list[str] = []  # COUNT, or columns of the CSV
         self.made_angles: list[float] = []  # rad: their release angle
         self.lifted = 0  # the number of lifted pendula, at the release or by hand
         self.period = 2 * pi * sqrt(R_PARAM / G)  # s: of a small swing
@@ -82,7 +82,7 @@ class Cradle:
         self.count = len(pend_list)
         self.note_made_angles()
 
-    def own_ways(self, csv: CradleCsv) -> list[str]:
+    def differences_from(self, csv: CradleCsv) -> list[str]:
         """Return where the cradle differs from this CSV: COUNT, and names of columns."""
         found = [COUNT] if len(self.pend_list) != len(csv.pendula) else []
         for name in SETTABLE:

@@ -1,6 +1,6 @@
 """The player shows the cradle of a program, and tells the program's loop when to do a tick.
 
-run runs the program once for each cradle. Its loop asks is_running (support/simulation.py) before
+run_for_each_cradle runs the program. Its loop asks is_running (support/simulation.py) before
 each tick, and this asks the player: the page in the browser (support/page/viewer.py), or lines or a
 data file (support/terminal/players.py). The first question shows the cradle. When no tick is due,
 the player does a frame: it shows the cradle, and plans the next ticks (plan), or wants another
@@ -168,20 +168,22 @@ class Player:
         else:
             cradle.release(settings.angles, settings.lifted)
         self.is_shown = True
-        self.note_own_ways(settings.csv)
+        self.note_set_by_program(settings.csv)
         self.look_at_functions()
         self.hits.listen()
         self.motion.restart()
         self.show_new_cradle()
 
-    def note_own_ways(self, csv: CradleCsv) -> None:
+    def note_set_by_program(self, csv: CradleCsv) -> None:
         """Note what the program sets itself; if NC_FP is a copy of the CSV, say so.
 
         A preview takes only some of the pendula: that is no difference.
         """
-        self.cradle.own = [] if self.is_preview else self.cradle.own_ways(csv)
-        if self.cradle.own and str(csv.filepath) != constants.NC_FP:
-            self.note(f"The program does not take {' and '.join(self.cradle.own)} from NC_FP.")
+        self.cradle.set_by_program = [] if self.is_preview else self.cradle.differences_from(csv)
+        if self.cradle.set_by_program and str(csv.filepath) != constants.NC_FP:
+            self.note(
+                f"The program does not take {' and '.join(self.cradle.set_by_program)} from NC_FP."
+            )
 
     def look_at_functions(self) -> None:
         """Find out whether the fast path can do the ticks."""
@@ -256,7 +258,7 @@ class Player:
             self.take_sample()
 
 
-def run(file: Path, player: Player) -> None:
+def run_for_each_cradle(file: Path, player: Player) -> None:
     """Run a program, this file of src/, once for each cradle; its loop asks this player."""
     try:
         while player.next_cradle.is_wanted:
@@ -286,19 +288,19 @@ def run_once(file: Path, player: Player) -> None:
     with file_for_pandas(player.next_cradle.settings.csv) as path, fresh_modules():
         constants.NC_FP = path
         try:
-            play(file, player)
+            run_or_preview(file, player)
         finally:
             constants.NC_FP = before
 
 
-def play(file: Path, player: Player) -> None:
+def run_or_preview(file: Path, player: Player) -> None:
     """Run a program; while functions are missing, show what there is."""
     player.names = {}
     player.cradle.find_functions(player.names)
     program = main_module(file)
     player.names = vars(program)
     try:
-        simulation.play(partial(run_file, program), player)
+        simulation.run(partial(run_file, program), player)
         return
     except NotImplementedError as error:
         unwritten = error
@@ -306,4 +308,4 @@ def play(file: Path, player: Player) -> None:
         raise UnwrittenError(*missing_in(unwritten))
     player.begin()
     player.is_preview = True
-    simulation.play(partial(preview, player.names, unwritten, player.note), player)
+    simulation.run(partial(preview, player.names, unwritten, player.note), player)

@@ -20,7 +20,7 @@ class Stopwatch:
         self.least = inf
         self.least_time = time
 
-    def look(self, time: float, kinetic: float, total: float) -> None:
+    def measure(self, time: float, kinetic: float, total: float) -> None:
         """Take the energies (J) at this time (s)."""
         part = kinetic / total if total > 0 else 0.0
         if part < SLOW:

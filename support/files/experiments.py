@@ -41,7 +41,7 @@ class Hidden(NamedTuple):
 
 
 class Experiment(NamedTuple):
-    key: str  # the name of its file
+    stem: str  # the name of its file
     csv: CradleCsv
     name: str
     poses: list[list[float]]  # of each pendulum's cords at the start (rad)

@@ -21,7 +21,7 @@ from support.page.controls import (
     Slider,
     Switch,
 )
-from support.page.cradle_settings import CradleSettings, LIMITS
+from support.page.cradle_editor import CradleEditor, LIMITS
 from support.page.ghost_file import GhostFile
 from support.page.graph import Graph
 from support.page.lesson import Lesson
@@ -44,7 +44,7 @@ ANGLES_IN_WORDS = {
 def controls(
     cradle: Cradle,
     chooser: Chooser,
-    settings: CradleSettings,
+    editor: CradleEditor,
     lesson: Lesson,
     marks: Marks,
     bars: Bars,
@@ -55,7 +55,7 @@ def controls(
 
     def with_owner(text: str, name: str) -> str:
         """Return the text of a slider, which says so if the program sets its value itself."""
-        return f"{text}, set by the program" if name in cradle.own else text
+        return f"{text}, set by the program" if name in cradle.set_by_program else text
 
     def count_limits() -> tuple[int, int]:
         yours = len(chooser.unchanged().csv.pendula)
@@ -135,17 +135,17 @@ def controls(
             "Bobs",
             "Bobs: the balls. Your file stays as it is",
             lambda: cradle.count,
-            settings.set_count,
+            editor.set_count,
             limits=count_limits,
             as_text=lambda count: with_owner(f"{count}", COUNT),
-            is_enabled=partial(settings.can_change, COUNT),
+            is_enabled=partial(editor.can_change, COUNT),
         ),
         "lifted": Slider(
             "controls",
             "Bobs lifted",
             "Bobs lifted: from the left",
             lambda: cradle.lifted,
-            lambda lifted: settings.release(lifted=lifted),
+            lambda lifted: editor.release(lifted=lifted),
             limits=lambda: (0, cradle.count),
             as_text=lambda lifted: f"{lifted} of {cradle.count}",
         ),
@@ -155,8 +155,8 @@ def controls(
             "settings",
             name.replace("_", " ").capitalize(),
             ANGLES_IN_WORDS[name],
-            partial(settings.release_angle, cord),
-            partial(settings.set_release_angle, cord),
+            partial(editor.release_angle, cord),
+            partial(editor.set_release_angle, cord),
             limits=partial(cradle.angle_limits.__getitem__, name),
             as_text="{:.4g}°".format,
         )
@@ -165,11 +165,11 @@ def controls(
         "Bob 1: mass",
         "Bob 1: the first bob from the left",
         lambda: cradle.shown("mass")[0],
-        lambda mass: settings.edit(0, "mass", mass),
+        lambda mass: editor.edit(0, "mass", mass),
         limits=lambda: MASSES,
         as_text=lambda mass: with_owner(f"{mass:g} kg", "mass"),
         step=0.5,
-        is_enabled=partial(settings.can_change, "mass"),
+        is_enabled=partial(editor.can_change, "mass"),
     )
     found["e"] = Slider(
         "settings",
@@ -177,11 +177,11 @@ def controls(
         "e, the coefficient of restitution of all bobs: 1 = the bobs part as fast as they "
         "met, 0 = they stay together",
         lambda: cradle.shown("e")[0],
-        settings.set_e,
+        editor.set_e,
         limits=lambda: (0, 1),
         as_text=e_as_text,
         step=0.01,
-        is_enabled=partial(settings.can_change, "e"),
+        is_enabled=partial(editor.can_change, "e"),
     )
     if cradle.cord_count == 1:  # the double cradle has this rule itself
         found["separating"] = Switch(
@@ -190,8 +190,8 @@ def controls(
             "The assignment lets two bobs collide in each tick in which they touch, also when "
             "they already move apart. A second hit then undoes a part of the first one: bobs with "
             "e below 1 stick together",
-            lambda: settings.next_cradle.settings.separating,
-            lambda separating: settings.change(separating=separating),
+            lambda: editor.next_cradle.settings.separating,
+            lambda separating: editor.change(separating=separating),
         )
     return found
 
@@ -200,7 +200,7 @@ def commands(
     controls: Mapping[str, Control],
     lesson: Lesson,
     unknown: Unknown,
-    settings: CradleSettings,
+    editor: CradleEditor,
     ghost_file: GhostFile,
     grab: Callable[..., None],
     drag: Callable[..., None],
@@ -223,8 +223,8 @@ def commands(
         "repeat": Command(lesson.repeat),
         "answer": Command(lesson.answer, (is_text, is_count)),
         "check": Command(unknown.check, (is_text,)),
-        "edit": Command(settings.edit, (is_count, lambda name: name in [*LIMITS], is_number)),
-        "save_csv": Command(settings.save_csv, (is_number,)),
+        "edit": Command(editor.edit, (is_count, lambda name: name in [*LIMITS], is_number)),
+        "save_csv": Command(editor.save_csv, (is_number,)),
         "grab": Command(grab, (is_point, is_direction)),
         "drag": Command(drag, (is_point, is_direction)),
         "let_go": Command(let_go),

@@ -1,4 +1,4 @@
-"""Write runs to HTML files, without a tab: --html FILE, and --html-all FOLDER."""
+"""Write films to HTML files, without a tab: --html FILE, and --html-all FOLDER."""
 
 import sys
 from collections.abc import Sequence
@@ -9,15 +9,15 @@ from pathlib import Path
 from urllib.parse import quote
 
 from support.cradle.cradle import Cradle
-from support.cradle.player import Player, PLAYER_FILE, run
+from support.cradle.player import Player, PLAYER_FILE, run_for_each_cradle
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
 from support.files.experiments import Experiment, EXPERIMENTS
 from support.page.lesson import EXPLAINED, FREE
 from support.page.server.film import Film
-from support.page.server.run_file import run_as_html
+from support.page.server.film_file import film_as_html
 from support.page.server.tabs import Tabs
-from support.page.viewer import Start, Viewer
+from support.page.viewer import FirstCradle, Viewer
 from support.start.end import SignalError
 from support.start.mistake import report_endless_loop, report_mistake
 from support.start.output import complain, in_one_line, Progress, progress_bar, refuse
@@ -61,21 +61,21 @@ class NoTabs(Tabs):
     def sleep(self, seconds: float) -> None:
         self.now += seconds
 
-    def have_room(self) -> bool:
+    def can_send(self) -> bool:
         return True
 
 
 class FilmRecorder(Viewer):
     """Plays the first seconds of one cradle after another, as fast as the machine can."""
 
-    def __init__(self, cradle: Cradle, start: Start, seconds: float) -> None:
-        """Play `seconds` (s) of the cradle that start says."""
+    def __init__(self, cradle: Cradle, first: FirstCradle, seconds: float) -> None:
+        """Play `seconds` (s) of the cradle that first says."""
         tabs = NoTabs()
-        super().__init__(cradle, start, tabs, RealTime(cradle.dt, tabs.time, tabs.sleep))
+        super().__init__(cradle, first, tabs, RealTime(cradle.dt, tabs.time, tabs.sleep))
         self.last = max(1, round(seconds / cradle.dt))  # tick
         self.next_names: list[str] = []  # of experiments to play
         self.count = 1  # of all cradles to play
-        self.runs: list[bytes] = []  # as HTML
+        self.films: list[bytes] = []  # as HTML
         self.report_progress: Progress = lambda done: None
         self.marks.has_arrows = True
         self.bars.is_on = True
@@ -87,7 +87,7 @@ class FilmRecorder(Viewer):
         self.lesson.choose(first)
 
     def frame(self) -> None:
-        """Show the last ticks, with all numbers, and plan the next ones; at the end, keep the run.
+        """Show the last ticks, with all numbers, and plan the next ones; at the end, keep the film.
 
         Then go on to the next cradle. Where the lesson waits for an answer, go on at once: the file
         asks the person who opens it.
@@ -95,15 +95,15 @@ class FilmRecorder(Viewer):
         self.next_refresh = 0.0
         super().frame()
         if self.lesson.measurement:
-            self.lesson.answer(self.lesson.measurement.experiment.key, 0)
+            self.lesson.answer(self.lesson.measurement.experiment.stem, 0)
             self.lesson.rest_end = 0.0
         if self.lesson.state not in (FREE, EXPLAINED):
             return  # the first swing of a lesson: the run follows
         left = self.last - self.motion.ticks
         self.planned = min(self.planned, left)
-        self.report_progress((len(self.runs) + 1 - left / self.last) / self.count)
+        self.report_progress((len(self.films) + 1 - left / self.last) / self.count)
         if not left:
-            self.keep_run()
+            self.keep_film()
             if self.next_names:
                 self.lesson.choose(self.next_names.pop(0))
             else:
@@ -118,18 +118,18 @@ class FilmRecorder(Viewer):
     def go_on_after(self, error: BaseException | None) -> None:
         Player.go_on_after(self, error)  # nobody mends it here
 
-    def keep_run(self) -> None:
-        self.runs.append(run_as_html(self.tabs.pictures()))
+    def keep_film(self) -> None:
+        self.films.append(film_as_html(self.tabs.pictures()))
 
 
-def write_all_runs(file: Path, recorder: FilmRecorder, folder: str) -> None:
-    """Write the run of each experiment to an HTML file in this folder.
+def write_all_films(file: Path, recorder: FilmRecorder, folder: str) -> None:
+    """Write the film of each experiment to an HTML file in this folder.
 
-    index.html has links to them. The rest is as in write_runs.
+    index.html has links to them. The rest is as in write_films.
     """
     cradle = recorder.cradle
     experiments = recorder.chooser.experiments
-    files = [str(Path(folder, f"{known.key}.html")) for known in experiments.values()]
+    files = [str(Path(folder, f"{known.stem}.html")) for known in experiments.values()]
     index = str(Path(folder, "index.html"))
     if index in files:
         refuse("--html-all: allowed is another name than index for an experiment")
@@ -139,13 +139,13 @@ def write_all_runs(file: Path, recorder: FilmRecorder, folder: str) -> None:
         refuse(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
-    write_runs(file, recorder, files, folder)
+    write_films(file, recorder, files, folder)
     with whole_file(index) as page:
         page.write(index_of(cradle.title, [*experiments.values()]))
 
 
-def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
-    """Write the runs of a program to these HTML files; place names them all in a message.
+def write_films(file: Path, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
+    """Write the films of a program to these HTML files; place names them all in a message.
 
     If a function makes a mistake, a single file ends with it, and several files are not written.
     After a signal, no file is written. In all these cases, the exit status is 1. Raises an OSError
@@ -157,20 +157,20 @@ def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: 
             opened = [stack.enter_context(whole_file(name)) for name in files]
             recorder.report_progress = stack.enter_context(progress_bar())
             try:
-                run(file, recorder)
+                run_for_each_cradle(file, recorder)
             except SignalError:
                 raise
             except UnwrittenError as error:
                 refuse(error)
             except (Exception, SystemExit) as error:
                 recorder.tabs.tell({"stopped": report_mistake(error, PLAYER_FILE)})
-                if not recorder.is_over:  # else the run is whole
-                    recorder.keep_run()
+                if not recorder.is_over:  # else the film is whole
+                    recorder.keep_film()
                 has_failed = True
             if has_failed and len(files) > 1:
                 complain(f"{place} is not written.")
                 sys.exit(1)
-            for opened_file, html in zip(opened, recorder.runs, strict=True):
+            for opened_file, html in zip(opened, recorder.films, strict=True):
                 opened_file.write(html.decode())
     except SignalError as stopped:
         report_endless_loop(stopped, PLAYER_FILE)
@@ -186,9 +186,9 @@ def write_runs(file: Path, recorder: FilmRecorder, files: Sequence[str], place: 
 
 
 def index_of(title: str, experiments: Sequence[Experiment]) -> str:
-    """Return a plain page with a link to the run of each experiment."""
+    """Return a plain page with a link to the film of each experiment."""
     links = []
     for known in experiments:
-        link = f'<a href="{quote(known.key)}.html">{escape(known.name)}</a>'
+        link = f'<a href="{quote(known.stem)}.html">{escape(known.name)}</a>'
         links.append(f"<li>{link}<br>{escape(known.question)}</li>")
     return INDEX.format(title=escape(title), links="\n".join(links))

@@ -1,4 +1,4 @@
-"""The ghosts of a file: pale bobs that move as a filmed cradle did, or as --record has written.
+"""The ghosts of a file: pale bobs that move as a cradle in a video did, or as --record has written.
 
 The CSV has a column t, or Time (s; 0 is the release), and columns of angles, positive to the right:
 theta_1 (rad), or theta_1 (degrees), ... Other columns are ignored. A row without a number in t or

@@ -128,7 +128,7 @@ class Lesson:
             self.rest_end = inf if self.asks else self.pace.clock() + REST
         return True
 
-    def look(self) -> None:
+    def end_if_changed(self) -> None:
         """End the question if the cradle was changed."""
         if self.chooser.is_changed and self.state != FREE:
             if self.state == ASKED:  # what follows would give the answer away
@@ -177,15 +177,15 @@ class Lesson:
             self.repeats = False
             self.next_cradle.want()
 
-    def answer(self, key: str, number: int) -> None:
-        """Take an answer (its index) to the question of the experiment with this key.
+    def answer(self, stem: str, number: int) -> None:
+        """Take an answer (its index) to the question of the experiment with this stem.
 
         Do nothing if this question is not asked now, or has no such answer.
         """
         if not self.measurement or self.state not in (ASKED, SEEN):
             return
         experiment = self.measurement.experiment
-        if experiment.key == key and number < len(experiment.answers):
+        if experiment.stem == stem and number < len(experiment.answers):
             self.replies[self.state] = number
             self.state = RUNNING if self.state == ASKED else EXPLAINED
             self.stands = False
@@ -272,7 +272,7 @@ class Lesson:
         experiment = self.measurement.experiment
         question: dict[str, Any] = {
             "state": self.state,
-            "key": experiment.key,
+            "stem": experiment.stem,
             "question": experiment.question,
             "answers": [answer.text for answer in experiment.answers],
             "replies": dict(self.replies),

@@ -50,7 +50,7 @@ class Bars:
         self.last_hits = -inf  # s: the time of the last hits
         self.after_hits: list[float] = []  # kg m/s: the momenta after them
 
-    def look(self) -> None:
+    def keep_momenta(self) -> None:
         """Keep the momenta of this moment if there were hits since the last call."""
         if self.motion.last_fast != self.last_hits:
             self.last_hits = self.motion.last_fast

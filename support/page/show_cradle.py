@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.cradle.player import PLAYER_FILE, run
+from support.cradle.player import PLAYER_FILE, run_for_each_cradle
 from support.files.cradle_csv import LiveFile, Snapshot
 from support.files.experiments import read_experiment
 from support.files.valid_cradle import read_cradle, with_options
@@ -27,7 +27,7 @@ from support.start.output import refuse
 
 if TYPE_CHECKING:
     from support.page.server.server import Server
-    from support.page.viewer import Start
+    from support.page.viewer import FirstCradle
 
 
 @ended_quietly()
@@ -74,15 +74,15 @@ def show_page(
     try:
         if server:
             announce(server, options.browser)
-        from support.page.viewer import Start  # while the browser starts
+        from support.page.viewer import FirstCradle  # while the browser starts
 
-        start = Start(
+        first = FirstCradle(
             prepare(csv), live_file, prepare, angles, options.lift, ghost_file, experiment
         )
         if server:
-            play(file, cradle, start, server)
+            run_with_page(file, cradle, first, server)
         else:
-            write(file, cradle, start, options)
+            write(file, cradle, first, options)
     finally:
         if server:
             server.close()
@@ -90,16 +90,16 @@ def show_page(
                 print("No page is open any more, so the program ends.")
 
 
-def play(file: Path, cradle: Cradle, start: "Start", server: "Server") -> None:
+def run_with_page(file: Path, cradle: Cradle, first: "FirstCradle", server: "Server") -> None:
     """Run a program until the last tab is closed; exit with status 1 if its last run failed."""
     from support.page.endless import Watch
     from support.page.viewer import Viewer
 
-    viewer = Viewer(cradle, start, server.tabs)
+    viewer = Viewer(cradle, first, server.tabs)
     watch = Watch(viewer.progress, server.tabs.tell, viewer.look_at_source)
     watch.start()
     try:
-        run(file, viewer)
+        run_for_each_cradle(file, viewer)
     except SignalError as stopped:
         report_endless_loop(stopped, PLAYER_FILE)
         raise
@@ -111,16 +111,16 @@ def play(file: Path, cradle: Cradle, start: "Start", server: "Server") -> None:
         sys.exit(1)
 
 
-def write(file: Path, cradle: Cradle, start: "Start", options: Namespace) -> None:
-    """Write runs to files, as the options say."""
+def write(file: Path, cradle: Cradle, first: "FirstCradle", options: Namespace) -> None:
+    """Write films to files, as the options say."""
     # Not for a page
-    from support.page.film_recorder import FilmRecorder, write_all_runs, write_runs
+    from support.page.film_recorder import FilmRecorder, write_all_films, write_films
 
-    recorder = FilmRecorder(cradle, start, options.seconds)
+    recorder = FilmRecorder(cradle, first, options.seconds)
     if options.html is not None:
-        write_runs(file, recorder, [options.html], options.html)
+        write_films(file, recorder, [options.html], options.html)
     else:
-        write_all_runs(file, recorder, options.html_all)
+        write_all_films(file, recorder, options.html_all)
 
 
 def make_server(options: Namespace) -> "Server":

@@ -16,7 +16,7 @@ from support.files.source_files import CONSTANTS, LiveSource
 from support.files.valid_cradle import CradleCsv
 from support.page import declarations
 from support.page.chooser import Chooser
-from support.page.cradle_settings import CradleSettings
+from support.page.cradle_editor import CradleEditor
 from support.page.ghost_file import GhostFile
 from support.page.graph import Graph
 from support.page.lesson import Lesson
@@ -47,8 +47,8 @@ UPPER_ONLY = (
 )
 
 
-class Start(NamedTuple):
-    """What the options of a program say."""
+class FirstCradle(NamedTuple):
+    """The first cradle of the page, as the options say."""
 
     csv: CradleCsv
     file: LiveFile  # in which this CSV is
@@ -68,12 +68,12 @@ class Viewer(Player):
     def __init__(
         self,
         cradle: Cradle,
-        start: Start,
+        first: FirstCradle,
         tabs: Tabs,
         pace: RealTime | None = None,
     ):
         """Play the cradle as a Player does, in this pace; tabs show it."""
-        settings = Settings(start.csv, [*start.angles], start.lifted)
+        settings = Settings(first.csv, [*first.angles], first.lifted)
         super().__init__(cradle, settings, cradle.period / SAMPLES_A_SWING, pace)
         self.tabs = tabs
         self.has_failed = False  # whether the last run has ended with a mistake
@@ -83,10 +83,10 @@ class Viewer(Player):
 
         # Which cradle
         self.chooser = Chooser(
-            cradle, self.next_cradle, start.file, start.prepare, start.experiment
+            cradle, self.next_cradle, first.file, first.prepare, first.experiment
         )
-        self.cradle_settings = CradleSettings(cradle, self.chooser)
-        self.ghost_file = start.ghost_file
+        self.cradle_editor = CradleEditor(cradle, self.chooser)
+        self.ghost_file = first.ghost_file
         # Its motion
         self.slow_hits = SlowHits(self.motion)
         self.lesson = Lesson(self.chooser, self.slow_hits, self.pace, self.plan)
@@ -102,7 +102,7 @@ class Viewer(Player):
         self.controls = declarations.controls(
             cradle,
             self.chooser,
-            self.cradle_settings,
+            self.cradle_editor,
             self.lesson,
             self.marks,
             self.bars,
@@ -113,7 +113,7 @@ class Viewer(Player):
             self.controls,
             self.lesson,
             self.unknown,
-            self.cradle_settings,
+            self.cradle_editor,
             self.ghost_file,
             self.held_bob.grab,
             self.drag,
@@ -131,7 +131,7 @@ class Viewer(Player):
             self.carry_out(*self.tabs.commands.get())
         if not self.next_cradle.is_wanted:
             self.look_at_files()
-        self.lesson.look()
+        self.lesson.end_if_changed()
         if self.tabs.are_gone:
             self.is_over = True
             self.planned = 0
@@ -190,7 +190,7 @@ class Viewer(Player):
             self.motion.set_start()  # 100 % is the energy of this moment
             self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view(bob.pos for bob in self.cradle.bobs())
-        if not self.tabs.have_room():
+        if not self.tabs.can_send():
             return
         state = self.state_in_step()
         if self.pace.clock() >= self.next_refresh:
@@ -238,7 +238,7 @@ class Viewer(Player):
         }
         for part in (
             self.chooser,
-            self.cradle_settings,
+            self.cradle_editor,
             self.ghost_file,
             self.unknown,
         ):
@@ -265,7 +265,7 @@ class Viewer(Player):
         return [
             self.scenery.board,
             self.scenery.ground,
-            *self.scenery.frame,
+            *self.scenery.stand,
             *chain(*self.marks.shapes.values()),
         ]
 
@@ -301,7 +301,7 @@ class Viewer(Player):
             self.note(UPPER_ONLY)
         self.held_bob.let_go()
         if not self.lesson.repeats:  # a film has the whole lesson
-            self.tabs.begin_run()
+            self.tabs.begin_film()
         self.lesson.begin(self.motion)
         self.scenery.surround(
             cradle.axles(),
@@ -345,8 +345,8 @@ class Viewer(Player):
     def take_sample(self) -> None:
         """Add this moment to the graph."""
         sample = self.motion.sample()
-        self.stopwatch.look(sample["t"], sample["kinetic"], sample["total"])
-        self.bars.look()
+        self.stopwatch.measure(sample["t"], sample["kinetic"], sample["total"])
+        self.bars.keep_momenta()
         self.graph.add(sample)
 
     def looks_at_hits(self) -> bool:

@@ -161,12 +161,12 @@ def page_options(description: str) -> OneLineParser:
     text = "open no browser, only print the address of the page"
     opens = os.environ.get(CLOSED_VARIABLE, "") in ("", "0")
     add("--no-browser", action="store_false", dest="browser", default=opens, help=text)
-    text = "write a run to FILE, one HTML page that any browser plays, and open no page"
+    text = "write a film to FILE, one HTML page that any browser plays, and open no page"
     add_html = parser.add_mutually_exclusive_group().add_argument
     add_html("--html", type=file_to_write, metavar="FILE", help=text)
-    text = "write a run of each experiment to FOLDER, with index.html, for a course page"
+    text = "write a film of each experiment to FOLDER, with index.html, for a course page"
     add_html("--html-all", metavar="FOLDER", help=text)
-    text = f"with --html or --html-all: the seconds of a run (default: {HTML_SECONDS:g})"
+    text = f"with --html or --html-all: the seconds of a film (default: {HTML_SECONDS:g})"
     add("--seconds", type=number(DT, 600, "s"), metavar="S", help=text)
     return parser
 

@@ -43,12 +43,12 @@ def preview(
 
     swing = ("full_swing_update", pend_list, R_PARAM, DT, G)
     calls: list[tuple] = []  # of a tick
-    if written.lacks("angle_update", "full_swing_update"):
+    if written.is_missing("angle_update", "full_swing_update"):
         sight = "With tier C, the pendula swing."
-    elif written.lacks("handle_collision", "handle_two_bobs"):
+    elif written.is_missing("handle_collision", "handle_two_bobs"):
         calls = [swing]
         sight = "With tier B, two bobs collide. If no pendulum swings, type pytest."
-    elif written.lacks("newton_cradle_tick"):
+    elif written.is_missing("newton_cradle_tick"):
         while len(pend_list) > 2:
             discard(pend_list.pop()["objects"])
         calls = [swing, ("handle_two_bobs", pend_list[0], pend_list[-1], R_PARAM)]
@@ -111,7 +111,7 @@ class Written:
         name, place = missing_in(error)
         self.missing.setdefault(name, place)
 
-    def lacks(self, *names: str) -> bool:
+    def is_missing(self, *names: str) -> bool:
         """Return whether one of these functions is missing."""
         return not self.missing.keys().isdisjoint(names)
 

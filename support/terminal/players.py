@@ -10,7 +10,7 @@ from typing import Any
 
 from support.cradle.cradle import Cradle
 from support.cradle.motion import Motion, percent_as_text, Sample
-from support.cradle.player import Player, run
+from support.cradle.player import Player, run_for_each_cradle
 from support.cradle.settings import Settings
 from support.files.data_file import whole_file
 from support.start.output import in_one_line, Progress, progress_bar
@@ -114,7 +114,7 @@ class DataRecorder(Player):
 
 def show(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -> None:
     """Print the lines of options.seconds of a program, this file."""
-    run(file, Lines(cradle, settings, options.seconds))
+    run_for_each_cradle(file, Lines(cradle, settings, options.seconds))
 
 
 def record(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -> None:
@@ -127,13 +127,13 @@ def record(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -
         # Words are no data, also those of a student's function
         with redirect_stdout(sys.stderr):
             recorder = DataRecorder(cradle, settings, options, rows, progress=lambda done: None)
-            run(file, recorder)
+            run_for_each_cradle(file, recorder)
             print_remarks(recorder)
         return
     with whole_file(options.record) as data, progress_bar() as progress:
         rows = csv.writer(data, lineterminator="\n")
         recorder = DataRecorder(cradle, settings, options, rows, progress)
-        run(file, recorder)
+        run_for_each_cradle(file, recorder)
     print_remarks(recorder)
     count = recorder.last // recorder.step + 1
     end = f"{recorder.motion.time():.15g} s"

@@ -36,10 +36,10 @@ ASSISTANTS = [
 ]
 # All names and values of COLOR_MAP and TEXTURE_MAP, and rows with them, whose columns are in
 # another order.
-LOOKS = [*islice(zip(cycle(COLOR_MAP.items()), cycle(TEXTURE_MAP.items())), 40)]
+COLORS_AND_TEXTURES = [*islice(zip(cycle(COLOR_MAP.items()), cycle(TEXTURE_MAP.items())), 40)]
 MANY = [
     {"e": 0.5, "color": name, "omega": 0.0, "mass": 0.5 + i, "texture": image, "theta": 0.0}
-    for i, ((name, _), (image, _)) in enumerate(LOOKS)
+    for i, ((name, _), (image, _)) in enumerate(COLORS_AND_TEXTURES)
 ]
 FILES = {
     "mixed.csv": MIXED_CSV,

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 from grading.assignment import FUNCTIONS, needed
 from grading.checks import Check
+from grading.explanation import explain, Explanation, what_is_wrong
 from grading.grader import Grader, NOT_CALLED, WaitError, WrongError
 from grading.raised import StoppedError
-from grading.story import Story, tell, what_is_wrong
 from line_by_line.table import COLUMNS
 
 PASSED, WAITING, FAILED, FAULT = "passed", "waiting", "failed", "fault"
@@ -29,7 +29,7 @@ class Outcome(NamedTuple):
     advice: str = ""  # about a right solution
     waits_for: str = ""  # the functions, or the file, that are wrong
     broken_file: str = ""  # that Python cannot read, so that the check fails
-    story: Story = Story([])
+    explanation: Explanation = Explanation([])
 
     @property
     def is_unwritten(self) -> bool:
@@ -50,13 +50,13 @@ class Grading:
         # What all further checks of a function have: one with stand-ins decides about all, and a
         # function that went over a limit is not called again
         self.decided: dict[str, Outcome] = {}
-        self.told: set[str] = set()  # functions whose first mistake has its story
+        self.explained: set[str] = set()  # functions whose first mistake has its explanation
         # Files that cannot be imported, and the file that is the cause
         self.broken: dict[str, str] = {}
 
     def judge(self, check: Check) -> Outcome:
         """Return the outcome of a check."""
-        # In their order: the first one that fails has the story
+        # In their order: the first one that fails has the explanation
         for other in self.grader.checks_of(check.function):
             if other.name not in self.outcomes:
                 self.outcomes[other.name] = self.outcome_of(other)
@@ -119,12 +119,12 @@ class Grading:
         function = check.function
         if error.raised and error.raised.limit:
             self.decided[function] = waiting(function)
-        story = Story(what_is_wrong(error, ""))
-        if function not in self.told:
-            self.told.add(function)
-            story = tell(self.grader, check, error)
-        place = story.place or FUNCTIONS[function].file
-        return Outcome(FAILED, "\n".join(story.wrong), place=place, story=story)
+        explanation = Explanation(what_is_wrong(error, ""))
+        if function not in self.explained:
+            self.explained.add(function)
+            explanation = explain(self.grader, check, error)
+        place = explanation.place or FUNCTIONS[function].file
+        return Outcome(FAILED, "\n".join(explanation.wrong), place=place, explanation=explanation)
 
     def broken_by(self, check: Check, file: str, raised: StoppedError) -> Outcome:
         """Return the outcome of a check whose file cannot be imported.
@@ -157,4 +157,6 @@ class Grading:
                 )
         lines = [*code, *wrap(wrong, COLUMNS), *wrap(hint, COLUMNS)]
         message = "\n".join([f"{where}:", *lines])
-        return Outcome(FAILED, message, place=where, broken_file=file, story=Story(lines))
+        return Outcome(
+            FAILED, message, place=where, broken_file=file, explanation=Explanation(lines)
+        )

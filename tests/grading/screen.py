@@ -1,4 +1,4 @@
-"""What a student reads at the end of a run: the story of the first mistake, and the grade."""
+"""What a student reads at the end of a run: the explanation of the first mistake, and the grade."""
 
 import os
 import sys
@@ -8,10 +8,10 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from grading.assignment import HONOR
+from grading.explanation import Explanation
 from grading.grade import place_of_failure, Results
 from grading.messages import LABEL, labelled
 from grading.outcomes import FAILED, FAULT, PASSED, WAITING
-from grading.story import Story
 from grading.words import plural
 from line_by_line.table import COLUMNS, fitting
 from support.root import ROOT
@@ -47,11 +47,11 @@ class Screen:
             return [*self.unwritten_lines(), *end]
         check, outcome = failed[0]
         title = Line(self.separator(place_of_failure(check, outcome), "_"), "red")
-        story = outcome.story
-        above = story.wrong or outcome.message.split("\n")
-        below = [*story.below, *self.others_line()]
+        explanation = outcome.explanation
+        above = explanation.wrong or outcome.message.split("\n")
+        below = [*explanation.below, *self.others_line()]
         height = SCREEN - 3 - len([*end, *above, *below])
-        table = table_lines(story, height)
+        table = table_lines(explanation, height)
         output = printed_lines(printed.get(check.name, ""))
         if len([*table, *output]) > height:
             output = []
@@ -130,11 +130,11 @@ class Screen:
         return shorten(f"{text}: {', '.join(causes)}" if causes else text, COLUMNS)
 
 
-def table_lines(story: Story, height: int) -> list[str]:
-    """Return the rows of a story's table for which there is room, below their title."""
-    if not story.rows:
+def table_lines(explanation: Explanation, height: int) -> list[str]:
+    """Return the rows of an explanation's table for which there is room, below their title."""
+    if not explanation.rows:
         return []
-    lines, left_out = fitting(story.rows, height - 1)
+    lines, left_out = fitting(explanation.rows, height - 1)
     title = "line by line"
     if left_out:
         title = f"{title} ({plural(left_out, 'row is', 'rows are')} left out)"

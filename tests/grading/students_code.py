@@ -112,7 +112,7 @@ class StudentsCode:
                     program = main_module(PROGRAM_FILE)
                     block = None
                 with placed(stand_ins):
-                    simulation.play(lambda: run_file(program, block), player)
+                    simulation.run(lambda: run_file(program, block), player)
         except SystemExit as end:  # exit() without an error ends the run, as on the page
             if end.code:
                 raise

@@ -49,7 +49,7 @@ class ThreeTicks:
 def test_each_loop_does_the_ticks_of_its_player_and_then_ends(loop):
     player = ThreeTicks()
     names = {}
-    simulation.play(lambda: exec(HEAD + loop, names), player)
+    simulation.run(lambda: exec(HEAD + loop, names), player)
     assert names["ticks"] == LOOPS[loop]
     assert all(pend_list == [{"objects": ()}] for pend_list in player.asked)
 

@@ -1,4 +1,4 @@
-"""The scenery around the pendula: light, frame and base; and what each tab's camera must show."""
+"""The scenery around the pendula: light, stand and base; and what each tab's camera must show."""
 
 from collections.abc import Iterable, Sequence
 from itertools import product
@@ -32,7 +32,7 @@ GROUND_DEPTH = 2.2
 
 
 class Scenery:
-    """The light on VPython's canvas, and the frame around a cradle. Each tab has its own camera."""
+    """The light on VPython's canvas, and the stand around a cradle. Each tab has its own camera."""
 
     def __init__(self) -> None:
         """Set the lights, and a distant camera.
@@ -46,7 +46,7 @@ class Scenery:
         scene.lights = []
         distant_light(direction=vector(-0.5, 0.9, 0.7), color=color.gray(0.82))
         distant_light(direction=vector(0.9, 0.1, 0.6), color=color.gray(0.2))
-        self.frame: list = []
+        self.stand: list = []
         # On the base. The page paints the shadows of the bobs on it (light.js), and finds it by
         # `pickable`.
         self.board = box(texture=textures.wood, color=DARK, pickable=False)
@@ -59,16 +59,16 @@ class Scenery:
         masses: Sequence[float],
         swing: float = 0.0,
     ) -> None:
-        """Put a frame around these axles; masses (kg) are those of the pendula.
+        """Put a stand around these axles; masses (kg) are those of the pendula.
 
         cords_length (m) is from an axle to the centre of the lowest bob at rest. swing (rad) is
         the largest angle of ghosts that may come.
         """
         self.first, self.last = axles[0].pos, axles[-1].pos
         self.cords_length = cords_length
-        discard(self.frame)
-        self.frame = make_frame(self.first, self.last, axles[0].width, cords_length)
-        base = self.frame[-1]
+        discard(self.stand)
+        self.stand = make_stand(self.first, self.last, axles[0].width, cords_length)
+        base = self.stand[-1]
         half = vector(0, base.height / 2, 0)
         self.board.pos = base.pos + half
         self.board.size = vector(base.length, FLAT, base.width)
@@ -80,16 +80,16 @@ class Scenery:
         self.highest = arm(swing, cords_length).y
 
     def keep_in_view(self, places: Iterable[vector]) -> None:
-        """Let the view have space for bobs at these places (m), also outside of the frame."""
+        """Let the view have space for bobs at these places (m), also outside of the stand."""
         for place in places:
             self.highest = max(self.highest, place.y - self.first.y)
 
     def view(self) -> dict:
         """Return what the camera of a tab must know, in metres.
 
-        It shows all points: those of the frame, of the axles' numbers, and of all swings.
+        It shows all points: those of the stand, of the axles' numbers, and of all swings.
         """
-        base = self.frame[-1]
+        base = self.stand[-1]
         low, high = base.pos - base.size / 2, base.pos + base.size / 2
         top = self.first.y
         bottom = low.y - SHADOW * self.cords_length
@@ -97,7 +97,7 @@ class Scenery:
         aside, above = 0.0, NUMBERS * self.cords_length
         quarter = self.cords_length / 4  # so the view does not grow in each picture
         height = quarter * ceil(self.highest / quarter)
-        if height > -2 * quarter:  # out of the frame
+        if height > -2 * quarter:  # out of the stand
             aside = (1 + BOB) * self.cords_length
             above += max(height, 0.0) + BOB * self.cords_length  # also for the name of ghosts
         points.append((self.first.x - aside, top + above, 0.0))
@@ -110,7 +110,7 @@ class Scenery:
         }
 
 
-def make_frame(first: vector, last: vector, depth: float, cords_length: float) -> list:
+def make_stand(first: vector, last: vector, depth: float, cords_length: float) -> list:
     """Return two rails with four posts, and the base.
 
     first and last are the places of the outer axles, depth (m) is from rail to rail.
@@ -118,19 +118,19 @@ def make_frame(first: vector, last: vector, depth: float, cords_length: float) -
     left, right = first.x - TO_POSTS * cords_length, last.x + TO_POSTS * cords_length
     top, bottom = first.y, first.y - TO_BASE * cords_length
     thickness = cords_length / 25
-    frame = []
+    stand = []
     beside = (depth + thickness) / 2  # the axles end at the rails
     for z in (-beside, beside):
-        frame.append(make_rod(vector(left, top, z), vector(right - left, 0, 0), thickness))
+        stand.append(make_rod(vector(left, top, z), vector(right - left, 0, 0), thickness))
         for x in (left, right):
-            frame.append(make_rod(vector(x, bottom, z), vector(0, top - bottom, 0), thickness))
+            stand.append(make_rod(vector(x, bottom, z), vector(0, top - bottom, 0), thickness))
             place = vector(x, top, z)
-            frame.append(make_shape(simple_sphere, pos=place, radius=thickness / 2, **CHROME))
+            stand.append(make_shape(simple_sphere, pos=place, radius=thickness / 2, **CHROME))
     overhang = 2 * OVERHANG * cords_length
     size = vector(right - left + overhang, BASE * cords_length, depth + overhang)
     middle = vector((left + right) / 2, bottom - size.y / 2, 0)
     base = make_shape(box, pos=middle, size=size, texture=textures.wood, color=DARK)
-    return [*frame, base]
+    return [*stand, base]
 
 
 def make_rod(pos: vector, axis: vector, thickness: float) -> cylinder:

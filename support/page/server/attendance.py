@@ -20,7 +20,7 @@ class Attendance:
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         """Wait for the first page as long as it takes; clock() returns a time (s)."""
         self.clock = clock
-        self.present = 0
+        self.count = 0  # tabs
         self.seconds = inf  # of the latest deadline
         self.deadline = inf  # on the clock
         self.last_look = clock()
@@ -34,13 +34,13 @@ class Attendance:
 
     def welcome(self) -> None:
         """Count a tab that has come."""
-        self.present += 1
+        self.count += 1
         self.seconds = 0.0
         self.deadline = self.clock()
 
     def lose(self, is_cut: bool) -> None:
         """Count a tab that has gone: its connection was cut, or its browser has closed it."""
-        self.present -= 1
+        self.count -= 1
         self.wait(CUT if is_cut else CLOSED)
 
     def look(self) -> bool:
@@ -52,4 +52,4 @@ class Attendance:
         if now - self.last_look > STANDSTILL:
             self.deadline = now + self.seconds
         self.last_look = now
-        return self.present > 0 or now < self.deadline
+        return self.count > 0 or now < self.deadline

@@ -57,20 +57,20 @@ class Changes:
         changed.pop(key, None)
         changed[key] = (self.number, change)
 
-    def later(self, has: int) -> dict[str, dict]:
-        """Return the changes after the delivery with the number `has`, by their keys."""
-        drawing = later(self.drawing, has)
+    def later(self, delivered: int) -> dict[str, dict]:
+        """Return the changes after the delivery with the number `delivered`, by their keys."""
+        drawing = later(self.drawing, delivered)
         for key in [*drawing]:
             # A shape is made with its last texture: glow.min.js mixes up two that it loads.
             number, _, name = key.partition(" ")
             maker = f"{number} cmd"
             if name == "texture" and maker in drawing:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
-        return {"drawing": drawing, "state": later(self.state, has)}
+        return {"drawing": drawing, "state": later(self.state, delivered)}
 
-    def message(self, has: int) -> str:
-        """Return the changes after the delivery with the number `has` as one message."""
-        return as_json(self.later(has))
+    def message(self, delivered: int) -> str:
+        """Return the changes after the delivery with the number `delivered` as one message."""
+        return as_json(self.later(delivered))
 
 
 def as_json(found: object) -> str:
@@ -93,11 +93,11 @@ def attribute_in(text: str) -> str:
     return found[0] if found else text
 
 
-def later(changed: Changed, has: int) -> dict[Any, Any]:
-    """Return the changes after the delivery with the number `has`, in their order."""
+def later(changed: Changed, delivered: int) -> dict[Any, Any]:
+    """Return the changes after the delivery with the number `delivered`, in their order."""
     found = []
     for key, (number, change) in reversed(changed.items()):
-        if number <= has:
+        if number <= delivered:
             break
         found.append((key, change))
     return dict(reversed(found))

@@ -34,7 +34,7 @@ class Film:
 
     def begin(self) -> None:
         self.pictures: deque[FilmPicture] = deque()
-        self.has = 0  # the number of the last delivery in it
+        self.delivered = 0  # the number of the last delivery in it
         self.last_look = -inf  # on the clock: when the last picture was taken
         self.time = 0.0  # s of the film, up to this picture
 
@@ -46,13 +46,13 @@ class Film:
         now = self.clock()
         gap = now - self.last_look
         asked, _ = changes.state.get("question", (0, None))
-        is_due = at_once or gap >= PICTURE or asked > self.has
-        if self.has == changes.number or not is_due:
+        is_due = at_once or gap >= PICTURE or asked > self.delivered
+        if self.delivered == changes.number or not is_due:
             return
         if self.pictures:
             self.time += min(gap, LONGEST_PAUSE)
-        self.pictures.append(FilmPicture(self.time, changes.later(self.has)))
-        self.has = changes.number
+        self.pictures.append(FilmPicture(self.time, changes.later(self.delivered)))
+        self.delivered = changes.number
         self.last_look = now
         while self.time - self.pictures[0].time > self.kept:
             self.forget_first()

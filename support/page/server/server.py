@@ -31,7 +31,7 @@ from support.page.names import Texts
 from support.page.server.attendance import Attendance, LOADING
 from support.page.server.browser import BrowserStart
 from support.page.server.tabs import Tab, Tabs
-from support.page.server.web_files import keyless_files, page_with
+from support.page.server.web_files import page_with, public_files
 
 LOOK = 0.5  # s from one look at the tabs to the next
 PING = 10  # s from one ping to the next; a tab that does not answer is cut after 10 to 25 s
@@ -70,8 +70,8 @@ class Server:
         self.application = Application(
             [
                 (r".*/ws", Socket, ours),
-                (r".*/run\.html", Run, ours),
-                (r".*/([^/]*\.[^/]*)", File, {"files": keyless_files()}),
+                (r".*/film\.html", SavedFilm, ours),
+                (r".*/([^/]*\.[^/]*)", File, {"files": public_files()}),
                 (r".*", Page, ours),
             ],
             compress_response=True,
@@ -171,17 +171,17 @@ class Page(Guarded):
     head = get  # a page whose connection was cut asks whether the program answers
 
 
-class Run(Guarded):
-    """The present run, as a file to save."""
+class SavedFilm(Guarded):
+    """The film of this run, as a file to save."""
 
     async def get(self) -> None:
-        from support.page.server.run_file import run_as_html  # not at the start: it takes a moment
+        from support.page.server.film_file import film_as_html  # it takes a moment
 
         pictures = self.server.tabs.pictures()
         if not pictures:
             raise HTTPError(404)
         # In a thread of its own: a long run takes seconds, and the tabs go on meanwhile.
-        self.finish(await asyncio.to_thread(run_as_html, pictures))
+        self.finish(await asyncio.to_thread(film_as_html, pictures))
 
 
 class File(RequestHandler):

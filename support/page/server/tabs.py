@@ -15,7 +15,7 @@ from support.page.server.changes import Changes
 from support.page.server.film import Film, FilmPicture
 from support.page.vpython_inside import take_changes
 
-ROOM = 12  # messages that can be under way to a tab: a far one needs several
+MOST_UNSEEN = 12  # messages that can be under way to a tab: a far one needs several
 NEW = object()  # unlike each value
 # The folders of this machine before the name of a file, in quotes or not
 FOLDERS = re.compile(
@@ -43,23 +43,23 @@ class Tab:
         self.close = close
         self.follows = follows
         self.speaks = speaks
-        self.has = 0  # the number of the last delivery that it has got
-        self.room = ROOM  # messages that may still be sent
+        self.delivered = 0  # the number of the last delivery that it has got
+        self.allowance = MOST_UNSEEN  # messages that may still be sent
 
     def update(self, changes: Changes, at_once: bool = False) -> None:
         """Send all that the tab has not got yet, as soon as it can take a message, or at once."""
-        is_behind = self.has < changes.number
-        can_take = self.room > 0 and not self.speaks()
+        is_behind = self.delivered < changes.number
+        can_take = self.allowance > 0 and not self.speaks()
         if is_behind and (can_take or at_once):
-            self.send(changes.message(self.has))
-            self.has = changes.number
-            self.room -= 1
+            self.send(changes.message(self.delivered))
+            self.delivered = changes.number
+            self.allowance -= 1
 
 
 class Tabs:
     """All tabs.
 
-    The program calls have_room, show, tell and begin_run, from its threads. It takes the commands,
+    The program calls can_send, show, tell and begin_film, from its threads. It takes the commands,
     and looks at is_seen and are_gone. The server calls the other methods, in its own thread.
     """
 
@@ -76,9 +76,9 @@ class Tabs:
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether no tab will come any more
 
-    def have_room(self) -> bool:
+    def can_send(self) -> bool:
         """Return whether a tab can take a message now; if not, changes wait, and are merged."""
-        return any(tab.room > 0 for tab in [*self.tabs])
+        return any(tab.allowance > 0 for tab in [*self.tabs])
 
     def show(self, state: Mapping[str, Any]) -> None:
         """Send what VPython's objects have changed, and what differs in the state.
@@ -101,7 +101,7 @@ class Tabs:
                 plain = {name: without_folders(value) for name, value in new.items()}
                 self.in_server(self.deliver, plain, drawing)
 
-    def begin_run(self) -> None:
+    def begin_film(self) -> None:
         """Begin a new film, of the run that is shown next."""
         self.in_server(self.film.begin)
 
@@ -142,7 +142,7 @@ class Tabs:
             return
         if seen:
             self.is_seen.set()
-            tab.room = min(tab.room + seen, ROOM)
+            tab.allowance = min(tab.allowance + seen, MOST_UNSEEN)
             tab.update(self.all)
             return
         if tab.follows:

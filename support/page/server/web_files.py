@@ -1,7 +1,7 @@
 """The page and its files: its own, and those of VPython that it uses.
 
 page.html has two holes, for a head and for scripts. The server's page asks for both, by links; a
-saved run has them in itself (run_file.py).
+film has them in itself (film_file.py).
 """
 
 import json
@@ -19,7 +19,7 @@ LIVE_HEAD = WEB / "live.html"
 SCRIPTS = "jquery.min.js", "glow.min.js", "vpython.js"
 
 
-def keyless_files() -> dict[str, bytes]:
+def public_files() -> dict[str, bytes]:
     """Return the content of the files that need no key, by their names."""
     files = files_for_a_browser()
     for path in WEB.iterdir():
@@ -35,7 +35,7 @@ def page_with(texts: Texts) -> bytes:
     """
     head = LIVE_HEAD.read_text(encoding="utf-8")
     scripts = [f'<script src="{name}"></script>' for name in SCRIPTS]
-    page = filled_page(head, scripts, "line", "./{}.js".format)
+    page = filled_page(head, scripts, "connection", "./{}.js".format)
     for name, text in texts.items():
         place = f'data-text="{name}">'
         page = page.replace(place, place + escape(str(text)))
@@ -48,9 +48,9 @@ def filled_page(
     """Return the page with a head and with scripts.
 
     Its modules import each other by their bare names; address(name) says where one is. They run
-    after the scripts. The module that brings the state comes last: "line" or "run".
+    after the scripts. The module that brings the state comes last: "connection" or "film".
     """
-    others = {path.stem for path in WEB.glob("*.js")} - {"line", "run"}
+    others = {path.stem for path in WEB.glob("*.js")} - {"connection", "film"}
     names = [*sorted(others), source]
     addresses = json.dumps({"imports": {name: address(name) for name in names}})
     imports = "".join(f'import "{name}";' for name in names)

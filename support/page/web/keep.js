@@ -1,10 +1,10 @@
-// The fold "Save and compare": the run, and ghosts.
+// The fold "Save and compare": the film, and ghosts.
 import { make, one, state } from "page";
 import { send } from "program";
 
-one(".save-run").onclick = async () => {
+one(".save-film").onclick = async () => {
   const name = `${state.controls.experiment.value}.html`;
-  const answer = await fetch(`run.html${location.search}`).catch(() => null);
+  const answer = await fetch(`film.html${location.search}`).catch(() => null);
   one(".unsaved").hidden = answer?.ok;
   if (answer?.ok) save(name, await answer.blob());
 };

@@ -37,7 +37,7 @@ addEventListener("keydown", event => {
   const isItsOwn = !isByMouse && target !== document.body && key in NAMES;
   if (metaKey || ctrlKey || altKey || isTyped || isItsOwn) return;
   const answer = "abcde".indexOf(key);
-  if (answer >= 0 && state.question) send("answer", state.question.key, answer);
+  if (answer >= 0 && state.question) send("answer", state.question.stem, answer);
   if (!keys[key]) return;
   event.preventDefault(); // no key scrolls the page
   target.blur(); // Firefox would press a button all the same

@@ -7,12 +7,12 @@ const strong = text => make("strong", {}, text);
 
 show("question", question => one(".asked").replaceChildren(...question ? [makeQuestion(question)] : []));
 
-function makeQuestion({ state, key, question, answers, replies, outcome, why }) {
+function makeQuestion({ state, stem, question, answers, replies, outcome, why }) {
   const element = make("div", { className: "question" }, paragraph(strong(question)));
   const withLetter = number => `${LETTERS[number]}, ${answers[number]}`;
   if (state === "seen") element.append(paragraph(strong("What did you see?")));
   if (state in replies) {
-    element.append(makeAnswers(key, answers));
+    element.append(makeAnswers(stem, answers));
   } else {
     if (replies.asked !== null) element.append(paragraph(`You said: ${withLetter(replies.asked)}.`));
     if (replies.seen !== null) element.append(paragraph(`You saw: ${withLetter(replies.seen)}.`));
@@ -28,9 +28,9 @@ function makeQuestion({ state, key, question, answers, replies, outcome, why }) 
   return element;
 }
 
-function makeAnswers(key, answers) {
+function makeAnswers(stem, answers) {
   const choices = answers.map((answer, number) => {
-    const onclick = () => send("answer", key, number);
+    const onclick = () => send("answer", stem, number);
     return make("button", { className: "choice", onclick }, `${LETTERS[number]}\u2002${answer}`);
   });
   return make("div", { className: "answers" }, ...choices);

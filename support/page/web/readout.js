@@ -7,7 +7,7 @@ show("running", running => {
 });
 show("paused", isPaused => {
   const sign = one(".paused");
-  if (isPaused && sign.hidden) tell(); // not again after a cut of the line
+  if (isPaused && sign.hidden) tell(); // not again after a cut of the connection
   sign.hidden = !isPaused;
 });
 show("motion", motion => {

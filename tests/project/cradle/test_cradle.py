@@ -1,4 +1,4 @@
-"""The cradle of a program: its release, hits, own ways, and results that are no cradle."""
+"""The cradle of a program: release, hits, what a program sets itself, and bad results."""
 
 import re
 from collections import defaultdict

@@ -59,12 +59,12 @@ def check_this_world():
             if experiment.hidden:
                 continue
             found = measured(experiment, kind)
-            assert found.outcome() == experiment.explained, (experiment.key, found.swings)
+            assert found.outcome() == experiment.explained, (experiment.stem, found.swings)
             assert "{" not in found.explanation()
             for answer, other in combinations(experiment.answers, 2):
-                assert answer.swings != pytest.approx(other.swings, abs=5), experiment.key
+                assert answer.swings != pytest.approx(other.swings, abs=5), experiment.stem
             right = experiment.answers[experiment.explained]
-            assert found.swings == pytest.approx(right.swings, abs=3), experiment.key
+            assert found.swings == pytest.approx(right.swings, abs=3), experiment.stem
             if kind is Cradle:
                 check_theory(found, experiment)
 

@@ -11,7 +11,7 @@ from src.special_cradles import make_newton_cradle
 from support import constants
 from support.constants import DT, R_PARAM, THETA_INIT
 from support.cradle.cradle import Cradle
-from support.cradle.player import Player, run
+from support.cradle.player import Player, run_for_each_cradle
 from support.cradle.real_time import BUSY, FRAME, MAX_BEHIND, RealTime
 from support.start.end import ended_quietly
 from support.start.mistake import MistakeError
@@ -134,7 +134,7 @@ def play(tmp_path):
     def play(player, end):
         file = tmp_path / "program.py"
         file.write_text(PROGRAM + end)
-        run(file, player)
+        run_for_each_cradle(file, player)
         return player
 
     return play

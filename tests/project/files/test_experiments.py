@@ -30,7 +30,7 @@ def test_an_experiment_is_read(tmp_path):
     experiment = read(tmp_path, ASKING)
     first_pose = [radians(-45), radians(-45) + radians(-20)]
     assert experiment == Experiment(
-        key="two",
+        stem="two",
         csv=experiment.csv,
         name="Two",
         poses=[first_pose, [0, radians(10)]],

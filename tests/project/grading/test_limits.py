@@ -42,7 +42,7 @@ def test_what_takes_too_much_is_stopped_and_not_called_again(
     first, second, *_ = outcomes_of(function, users=False, **within).values()
     assert f"{function} {message}." in first.message
     assert ("rate?" in first.message) == (function == PROGRAM)
-    assert bool(first.story.rows) == ("waiting" not in within)
+    assert bool(first.explanation.rows) == ("waiting" not in within)
     assert second.message == f"waits for {function}"
     assert capsys.readouterr().out == "called\n"
     bytearray(10**8)  # the memory is limited no longer
@@ -114,4 +114,4 @@ def test_a_function_with_code_beside_its_raise_is_written(solve, function, body,
 def test_a_mistake_has_its_table_also_if_other_checks_run_first(solve):
     solve("uniform_e_newton_cradle", "return uniform_mass_newton_cradle(relative_filepath, e_val)")
     outcome = new_grading().judge(GRADER.checks_of(function="uniform_e_newton_cradle")[0])
-    assert len(outcome.story.rows) == 1
+    assert len(outcome.explanation.rows) == 1

@@ -19,9 +19,9 @@ from grading.words import WORDS
 from line_by_line.trace import Trace
 
 
-def story_of(outcome):
+def explained(outcome):
     """Return what a student reads, without the table, as a text with single spaces."""
-    return " ".join(" ".join([*outcome.story.wrong, *outcome.story.below]).split())
+    return " ".join(" ".join([*outcome.explanation.wrong, *outcome.explanation.below]).split())
 
 
 @pytest.mark.parametrize(("function", "words"), slow_except([*WRONG][2::3], WRONG))
@@ -38,9 +38,9 @@ def test_a_wrong_solution_fails_its_own_checks_and_its_mistake_is_named(solve, f
         assert new_grading().perform(GRADER.alone[function]).state != PASSED
     for outcome in failed:
         assert "grader" not in outcome.message
-        assert len(outcome.story.wrong) <= 20
-        assert outcome is failed[0] or not outcome.story.below
-    assert words in story_of(failed[0])
+        assert len(outcome.explanation.wrong) <= 20
+        assert outcome is failed[0] or not outcome.explanation.below
+    assert words in explained(failed[0])
 
 
 @pytest.mark.slow
@@ -62,7 +62,7 @@ def test_each_check_and_each_hint_has_a_wrong_solution(solve, monkeypatch):
         for check, outcome in outcomes_of(function, users=False).items():
             if outcome.state == FAILED:
                 failed.add(check)
-                stories += story_of(outcome)
+                stories += explained(outcome)
         solve(function, PLAIN[function])
     assert {*CHECKS} - failed == set()
     assert {hint for hint in hints if hint not in stories} == set()

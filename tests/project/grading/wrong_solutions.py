@@ -11,7 +11,7 @@ from grading.assignment import PROGRAM
 
 # A row is a line:
 # fmt: off
-# Words of the story, with single spaces, by function, and a mistake that gets them.
+# Words of the explanation, with single spaces, by function, and a mistake that gets them.
 SAID = {
     "extract_and_convert": {
         "mass of pend_list[0] is 12.62,": ("filepath)", "filepath).round(2)"),

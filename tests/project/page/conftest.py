@@ -54,7 +54,7 @@ def start(monkeypatch, csv):
     module = SimpleNamespace(Server=lambda *_: server)
     monkeypatch.setitem(sys.modules, "support.page.server.server", module)
     monkeypatch.setattr("support.page.server.port.listen", listen)
-    monkeypatch.setattr("support.page.show_cradle.run", run)
+    monkeypatch.setattr("support.page.show_cradle.run_for_each_cradle", run)
 
     def start(kind, line):
         monkeypatch.setattr(sys, "argv", ["program.py", str(csv), *line.split()])

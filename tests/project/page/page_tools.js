@@ -82,7 +82,7 @@ function isBack() {
   return state.paused && parseFloat(state.motion.t) === 0 && Object.keys(first).every(isSame);
 }
 
-// Return whether a run has been played to its end. The time of a picture is the slider's value.
+// Return whether a film has been played to its end. The time of a picture is the slider's value.
 function isOver() {
   const { valueAsNumber, max } = one(".moment");
   return valueAsNumber > max - 0.01 && !state.running;

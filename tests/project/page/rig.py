@@ -14,7 +14,7 @@ from support.cradle.real_time import FRAME, RealTime
 from support.files.cradle_csv import LiveFile, POLL
 from support.headless_vpython import ForShow, Shape
 from support.page.ghost_file import GhostFile
-from support.page.viewer import Start, Viewer
+from support.page.viewer import FirstCradle, Viewer
 
 Shape.idx = ForShow.idx = property(id)  # VPython numbers its objects
 
@@ -30,10 +30,10 @@ class Rig:
         self.file = csv
         self.state = {}
         self.tabs = SimpleNamespace(
-            have_room=lambda: True,
+            can_send=lambda: True,
             show=self.take,
             tell=self.take,
-            begin_run=lambda: None,
+            begin_film=lambda: None,
             commands=SimpleQueue(),
             is_seen=Event(),
             are_gone=False,
@@ -41,7 +41,7 @@ class Rig:
         self.tabs.is_seen.set()
         self.viewer = Viewer(
             kind(),
-            Start(
+            FirstCradle(
                 checked(csv, kind.cord_count),
                 LiveFile(csv, self.clock),
                 lambda csv: csv,

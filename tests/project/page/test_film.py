@@ -40,7 +40,7 @@ def test_a_film_has_thirty_pictures_a_second_and_each_question_and_shortens_a_pa
 def test_a_film_is_that_of_the_present_run_and_a_page_keeps_its_end(tabs):
     """It then begins with a whole picture."""
     show(tabs, -1, x="old")
-    tabs.begin_run()
+    tabs.begin_film()
     for now in range(100):
         show(tabs, now, x=now)
     assert len(film(tabs)) == 100

@@ -1,4 +1,4 @@
-"""The frame around the pendula, and the points that each tab's camera must show."""
+"""The stand around the pendula, and the points that each tab's camera must show."""
 
 from math import cos, pi, sin
 
@@ -36,14 +36,14 @@ def test_the_frame_is_in_view_and_later_swings_that_leave_it(count):
     """The view stays wide when the bob comes down: a camera that you have turned stays so."""
     scenery = surround(count)
     axles, bobs = pendula(count)
-    base, rail = scenery.frame[-1], scenery.frame[0]
-    frame = [(base.pos - base.size / 2).value, (base.pos + base.size / 2).value, rail.pos.value]
+    base, rail = scenery.stand[-1], scenery.stand[0]
+    stand = [(base.pos - base.size / 2).value, (base.pos + base.size / 2).value, rail.pos.value]
     for angle, highest in ((pi / 4, pi / 4), (1.16, pi / 2), (2.7, pi), (0.0, pi)):
         scenery.keep_in_view([axles[0].pos + R * vector(-sin(angle), -cos(angle), 0)])
         aside = R * sin(min(highest, pi / 2)) + bobs[0].radius
         top = axles[0].pos.y - R * cos(highest) + bobs[0].radius
         swings = [(axles[0].pos.x - aside, top, 0.0), (axles[-1].pos.x + aside, top, 0.0)]
-        for (least, most), (low, high) in zip(extent(frame + swings), view(scenery), strict=True):
+        for (least, most), (low, high) in zip(extent(stand + swings), view(scenery), strict=True):
             assert low - 1e-9 < least < most < high + 1e-9
             assert high - low < 1.2 * (most - least)
 

@@ -65,7 +65,7 @@ def test_the_page_and_its_run_need_a_key_and_a_run_that_of_the_tab_that_commands
         assert (b"py a.py</code>" in content) == gets_run
         assert (content.decode() == server.NO_KEY) == (status == 403)
         with mock.patch.object(site.server.tabs, "pictures", list):
-            found = get(site, f"{BELOW}run.html", query)[0]
+            found = get(site, f"{BELOW}film.html", query)[0]
         assert (found == 404) == gets_run  # there is no picture to save
 
 

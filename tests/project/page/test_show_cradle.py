@@ -153,12 +153,12 @@ def test_a_program_does_as_the_options_say(start, capsys):
 
 
 def test_a_program_of_single_pendula_has_one_angle_and_ghosts(start, tmp_path, capsys):
-    ghosts = tmp_path / "film.csv"
+    ghosts = tmp_path / "video.csv"
     ghosts.write_text("t,theta_1\n0,1\n")
     page = start("single", f"--angle 20 --ghosts {ghosts}")
     assert EVERYBODY not in capsys.readouterr().out
     assert page.viewer.cradle.values("theta") == [outwards_to_angle(20), 0, 0]
-    assert page.viewer.ghost_file.name == "film.csv"
+    assert page.viewer.ghost_file.name == "video.csv"
 
 
 @pytest.mark.parametrize(
@@ -180,7 +180,7 @@ def test_a_program_whose_last_run_failed_ends_with_status_1_and_the_error(
     def run(file, viewer):
         viewer.go_on_after(ZeroDivisionError("of a student"))
 
-    monkeypatch.setattr("support.page.show_cradle.run", run)
+    monkeypatch.setattr("support.page.show_cradle.run_for_each_cradle", run)
     status, _, stderr = call(lambda: start("single", ""), capsys)
     assert status == 1
     assert stderr.splitlines()[-1] == "ZeroDivisionError: of a student"

@@ -10,7 +10,7 @@ from hypothesis import settings, strategies
 from hypothesis.stateful import rule, RuleBasedStateMachine, run_state_machine_as_test
 
 from support.page.server.changes import Changes
-from support.page.server.tabs import ROOM, Tab, Tabs
+from support.page.server.tabs import MOST_UNSEEN, Tab, Tabs
 
 SPHERE = {"cmd": "sphere", "idx": 1}
 CANVAS = {"cmd": "canvas", "idx": 0}
@@ -64,19 +64,19 @@ def test_a_slow_tab_gets_a_bounded_number_of_messages_and_then_the_last_values_o
     """On a long way, an answer for each one would mean few pictures. The end always goes."""
     tab, sent = open_tab(tabs)
     for number in range(100):
-        assert tabs.have_room() == (number < ROOM)
+        assert tabs.can_send() == (number < MOST_UNSEEN)
         tabs.drawing = {"attrs": [f"a{number % 2}a{number}"]}
         tabs.show({"t": number})
-    assert len(sent) == ROOM
+    assert len(sent) == MOST_UNSEEN
     tabs.show({"ended": True})
-    assert len(sent) == ROOM + 1
+    assert len(sent) == MOST_UNSEEN + 1
     assert sent[-1] == {
         "drawing": {"a0a": "a0a98", "a1a": "a1a99"},
         "state": {"t": 99, "ended": True},
     }
-    for _ in range(3 * ROOM):  # for more pictures than messages
+    for _ in range(3 * MOST_UNSEEN):  # for more pictures than messages
         tabs.receive(tab, '["seen", 1]')
-    assert tab.room == ROOM
+    assert tab.allowance == MOST_UNSEEN
 
 
 def test_a_text_of_the_state_has_no_folder_of_this_machine(tabs):
@@ -144,7 +144,7 @@ class ComingAndGoing(RuleBasedStateMachine):
         self.tabs = Tabs(now)
         self.opened = []  # tabs, and the messages of each one
         self.first, self.all = open_tab(self.tabs)
-        self.first.room = 1000  # it gets each change
+        self.first.allowance = 1000  # it gets each change
 
     @rule()
     def come(self):
@@ -173,7 +173,7 @@ class ComingAndGoing(RuleBasedStateMachine):
 
 
 def test_nothing_is_lost_whenever_tabs_come_and_go_and_however_slow_they_are(monkeypatch):
-    monkeypatch.setattr("support.page.server.tabs.ROOM", 2)
+    monkeypatch.setattr("support.page.server.tabs.MOST_UNSEEN", 2)
     run_state_machine_as_test(
         ComingAndGoing,
         settings=settings(

@@ -5,7 +5,7 @@ from unittest.mock import Mock
 import pytest
 from whole_cradles import PROGRAMS
 
-from support.cradle.player import run
+from support.cradle.player import run_for_each_cradle
 from support.cradle.real_time import FRAME
 from support.page.viewer import NEW_CONSTANTS
 
@@ -56,11 +56,11 @@ def test_numbers_change_ten_times_a_second_and_what_is_in_step_with_the_bobs_in_
 
 
 def test_while_no_tab_has_room_nothing_is_shown_and_no_hit_is_lost(rig):
-    rig.tabs.have_room = lambda: False
+    rig.tabs.can_send = lambda: False
     before = dict(rig.state)
     rig.wait(1)
     assert rig.state == before  # it would only wait
-    rig.tabs.have_room = lambda: True
+    rig.tabs.can_send = lambda: True
     rig.wait()
     assert rig.state["sound"]["speed"] > 0.5
 
@@ -102,7 +102,7 @@ def test_the_loop_ends_when_the_last_tab_is_closed(rig):
     rig.tabs.are_gone = True
     rig.viewer.pace.sleep = Mock(side_effect=[None] * 3)
     rig.viewer.next_cradle.want()
-    run(PROGRAMS["single"], rig.viewer)
+    run_for_each_cradle(PROGRAMS["single"], rig.viewer)
     assert rig.viewer.is_over
     assert not rig.viewer.has_failed
 

@@ -28,7 +28,7 @@ def test_it_prints_a_line_each_half_second_in_step_with_the_clock(csv, capsys):
     player.pace = RealTime(
         DT, lambda: 50.0 + sum(slept), lambda pause: slept.append(max(pause, 1e-4))
     )
-    players.run(PROGRAMS["single"], player)
+    players.run_for_each_cradle(PROGRAMS["single"], player)
     assert sum(slept) == pytest.approx(1.2, abs=2 / 60)
     heading, first, *lines = capsys.readouterr().out.splitlines()
     assert (
@@ -46,7 +46,7 @@ def test_a_remark_about_the_run_is_printed_once(csv, capsys):
     player = players.Lines(Cradle(), settings_for(csv), 1.0)
     player.pace = Mock(due=lambda most: most, frame_start=0.0, clock=lambda: 0.0)
     player.pace.remark = lambda: "0.6x real time"
-    players.run(PROGRAMS["single"], player)
+    players.run_for_each_cradle(PROGRAMS["single"], player)
     _, remark, *lines = capsys.readouterr().out.splitlines()
     assert remark == "0.6x real time"
     assert [float(line.split()[0]) for line in lines] == [0, 0.5, 1]

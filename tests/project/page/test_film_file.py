@@ -1,4 +1,4 @@
-"""A run as one HTML file: its film, what is in it, and how it plays without a program."""
+"""A film as one HTML file: its pictures, what is in it, and how it plays without a program."""
 
 import base64
 import csv
@@ -16,37 +16,37 @@ from programs import PROGRAM, python, ROOT, wait_until, with_vpython
 
 OPTIONS = "--seconds", "1", "--e", "0.9"
 ADDRESS = "http://course.example/"
-# The modules of a run have addresses that begin with data:.
+# The modules of a film have addresses that begin with data:.
 STRICT = "default-src 'self' 'unsafe-inline'; script-src 'unsafe-inline' data:"
 
 
-def write_run(program):
-    """Write a run of a program to a file next to its CSV; return the process, and the file."""
-    file = program.parents[1] / "run.html"
+def write_film(program):
+    """Write a film of a program to a file next to its CSV; return the process, and the file."""
+    file = program.parents[1] / "film.html"
     return python(program, "--html", file, *OPTIONS), file
 
 
 @pytest.fixture(scope="module")
-def run_file(file):
-    done, run = write_run(file.parent / "src" / PROGRAM.name)
-    assert (done.returncode, done.stdout, done.stderr) == (0, f"1 s are in {run}\n", "")
-    return run
+def film_file(file):
+    done, film = write_film(file.parent / "src" / PROGRAM.name)
+    assert (done.returncode, done.stdout, done.stderr) == (0, f"1 s are in {film}\n", "")
+    return film
 
 
 def pictures_in(file):
-    """Return the pictures of a run as text."""
-    packed = re.search('class="run">(.*?)</script>', file.read_text(encoding="utf-8"))[1]
+    """Return the pictures of a film as text."""
+    packed = re.search('class="film">(.*?)</script>', file.read_text(encoding="utf-8"))[1]
     return gzip.decompress(base64.b64decode(packed)).decode()
 
 
 @with_vpython
-def test_a_file_has_the_licences_and_no_name_of_this_machine(run_file):
-    text = run_file.read_text(encoding="utf-8")
+def test_a_file_has_the_licences_and_no_name_of_this_machine(film_file):
+    text = film_file.read_text(encoding="utf-8")
     for licence in ("jquery.org/license", "glowscript for source code and copyright", "John Coady"):
         assert licence in text
-    for name in (str(run_file.parent), str(ROOT), "newton_cradle_pends"):
-        assert name not in text + pictures_in(run_file)
-    assert not re.search(rf"\b{re.escape(socket.gethostname())}\b", pictures_in(run_file))
+    for name in (str(film_file.parent), str(ROOT), "newton_cradle_pends"):
+        assert name not in text + pictures_in(film_file)
+    assert not re.search(rf"\b{re.escape(socket.gethostname())}\b", pictures_in(film_file))
     assert len(text) < 1_200_000  # bytes
 
 
@@ -55,7 +55,7 @@ def test_a_run_that_fails_is_written_up_to_the_mistake_and_names_it(program):
     line = "    momentum = m1"
     text = program.read_text()
     program.write_text(text.replace(line, f"    open(__file__ + '.no')\n{line}"))
-    done, file = write_run(program)
+    done, file = write_film(program)
     assert done.returncode == 1
     place = r"\(src/visualize_cradle_run\.py, line \d+: open\(.*\)"
     stopped = json.loads(pictures_in(file))[-1]["state"]["stopped"]
@@ -78,18 +78,18 @@ def test_all_experiments_are_written_with_an_index(program, tmp_path):
     assert links[1] == ("02_two_bobs.html", "Two bobs")
     assert "Two bobs come in. What leaves on the other side?" in index
     for name, title in links:
-        run = json.loads(pictures_in(folder / name))
-        assert run[0]["state"]["title"] == f"Newton's cradle: {title}"
+        film = json.loads(pictures_in(folder / name))
+        assert film[0]["state"]["title"] == f"Newton's cradle: {title}"
     assert len([*folder.iterdir()]) == count + 1
 
 
 # --- in a browser ----------------------------------------------------------------------------
 
 
-def test_a_run_plays_what_the_program_computes_and_you_step_and_scrub_it(page, run_file):
+def test_a_film_plays_what_the_program_computes_and_you_step_and_scrub_it(page, film_file):
     addresses = []
     page.on("request", lambda request: addresses.append(request.url))
-    page.goto(run_file.as_uri())
+    page.goto(film_file.as_uri())
     pages.wait_for_cradle(page)
     page.wait_for_function("isOver()")
     rows = python(ROOT / "src" / "text_cradle_run.py", "--record", "-", *OPTIONS).stdout
@@ -107,18 +107,18 @@ def test_a_run_plays_what_the_program_computes_and_you_step_and_scrub_it(page, r
     assert page.evaluate("cursor()") == "auto"  # on a bob, which nobody drags here
     moment.blur()
     page.keyboard.press("ArrowRight")
-    _, second, *_ = json.loads(pictures_in(run_file))
+    _, second, *_ = json.loads(pictures_in(film_file))
     assert float(moment.input_value()) == pytest.approx(second["time"], abs=0.005)
     press(page, "Run")
     page.wait_for_function("isOver()")
-    assert {url for url in addresses if not url.startswith("data:")} == {run_file.as_uri()}
+    assert {url for url in addresses if not url.startswith("data:")} == {film_file.as_uri()}
 
 
 @pytest.mark.parametrize("page", ["chromium", "firefox"], indirect=True)
-def test_a_run_plays_in_a_strict_course_page_without_an_address(page, run_file):
-    run = html.escape(run_file.read_text(encoding="utf-8"))
+def test_a_film_plays_in_a_strict_course_page_without_an_address(page, film_file):
+    film = html.escape(film_file.read_text(encoding="utf-8"))
     headers = {"Content-Type": "text/html; charset=utf-8", "Content-Security-Policy": STRICT}
-    body = f'<iframe sandbox="allow-scripts" srcdoc="{run}"></iframe>'
+    body = f'<iframe sandbox="allow-scripts" srcdoc="{film}"></iframe>'
     page.route(ADDRESS, lambda route: route.fulfill(body=body, headers=headers))
     page.goto(ADDRESS)
     # A function: the page forbids what Playwright makes of an expression. And the tests' own tools
@@ -132,7 +132,7 @@ def test_a_run_plays_in_a_strict_course_page_without_an_address(page, run_file):
 
 def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(page, tmp_path):
     """It waits for your answers. When you restart it, it forgets them."""
-    file = tmp_path / "run.html"
+    file = tmp_path / "film.html"
     experiment = ROOT / "support" / "experiments" / "single" / "02_two_bobs.toml"
     options = "--html", file, "--experiment", experiment, "--seconds", "1.5"
     assert python(PROGRAM, *options).returncode == 0
@@ -172,13 +172,13 @@ def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(page, tmp_
     question.get_by_text("What did you see?").wait_for()
 
 
-def test_the_page_saves_its_run(shared):
+def test_the_page_saves_a_film(shared):
     shared.locator(".keep summary").click()
-    shared.route("**/run.html*", lambda route: route.abort(), times=1)
-    press(shared, "Save this run")
+    shared.route("**/film.html*", lambda route: route.abort(), times=1)
+    press(shared, "Save a film")
     message = shared.get_by_role("alert").get_by_text("so it is not saved")
     message.wait_for()
-    name, file = pages.saved(shared, "Save this run")
+    name, file = pages.saved(shared, "Save a film")
     assert name == "My cradle.html"
     assert not message.is_visible()
     key = shared.url.partition("key=")[2]

@@ -1,10 +1,10 @@
-// A saved run, in place of the line to the program: it plays the pictures in this file, up to a
+// A film, in place of the connection to the program: it plays the pictures in this file, up to a
 // question that you have not answered.
 // All values in a picture are absolute. So a moment is all pictures up to it.
 import { showPicture } from "canvas";
 import { hideAll, takeImagesFrom } from "glow";
 import { make, one, state, update } from "page";
-import { setLine, sliders } from "program";
+import { setSender, sliders } from "program";
 
 const LONGEST_STEP = 0.1; // s of a picture: a browser that was busy, or hidden, goes on from there
 const SLOWLY = 0.1; // times real time
@@ -13,8 +13,8 @@ const files = JSON.parse(one(".textures").textContent); // of the textures, by t
 const slider = one(".moment");
 
 takeImagesFrom(makeTexture);
-const run = contentOf(one(".run").textContent).stream().pipeThrough(new DecompressionStream("gzip"));
-const pictures = await new Response(run).json();
+const film = contentOf(one(".film").textContent).stream().pipeThrough(new DecompressionStream("gzip"));
+const pictures = await new Response(film).json();
 const last = pictures.length - 1;
 
 let current = -1; // the number of the picture on the page
@@ -53,7 +53,7 @@ const commands = {
     setRunning(true, SLOWLY);
   },
 };
-setLine(([name, ...values]) => commands[name]?.(...values));
+setSender(([name, ...values]) => commands[name]?.(...values));
 slider.max = pictures[last].time;
 jump(0);
 setRunning(!matchMedia("(prefers-reduced-motion)").matches && !state.unknown);

@@ -1,4 +1,4 @@
-"""The story of a mistake: a failed check is performed again, and its wrong call is traced."""
+"""The explanation of a mistake: a failed check is performed again, and its wrong call is traced."""
 
 from contextlib import redirect_stderr, redirect_stdout, suppress
 from io import StringIO
@@ -25,7 +25,7 @@ from line_by_line.trace import Trace
 EXCHANGED = "These are the right values, in another order."
 
 
-class Story(NamedTuple):
+class Explanation(NamedTuple):
     """What a student reads about a mistake, in this order."""
 
     wrong: list[str]  # what is wrong, the call, and both values
@@ -34,8 +34,8 @@ class Story(NamedTuple):
     place: str = ""  # at which Python stopped: a file, and a line of it
 
 
-def tell(grader: Grader, check: Check, error: WrongError) -> Story:
-    """Return the story of a check that raised this WrongError."""
+def explain(grader: Grader, check: Check, error: WrongError) -> Explanation:
+    """Return the explanation of a check that raised this WrongError."""
     facts = []
     trace = Trace(WORDS, lambda code: is_watched(code, check.function), is_named)
     errors = [error]
@@ -57,7 +57,7 @@ def tell(grader: Grader, check: Check, error: WrongError) -> Story:
     place = ""
     if error.raised and not error.raised.limit:
         place = f"{place_of(error.raised, check.function) or ''}"
-    return Story(what_is_wrong(error, hint, has_rows=bool(rows)), rows, below, place)
+    return Explanation(what_is_wrong(error, hint, has_rows=bool(rows)), rows, below, place)
 
 
 def ask_again(grader: Grader, check: Check, trace: Trace) -> list[WrongError]:

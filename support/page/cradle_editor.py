@@ -19,7 +19,7 @@ from support.start.mistake import MistakeError, report_mistake
 LIMITS = {"mass": (0.001, 1000), "e": (0, 1)}
 
 
-class CradleSettings:
+class CradleEditor:
     """Changes the settings of the next cradle, and asks for it."""
 
     def __init__(self, cradle: Cradle, chooser: Chooser):
@@ -78,7 +78,7 @@ class CradleSettings:
 
         You cannot while a value is hidden, or if the program sets it itself.
         """
-        return not self.cradle.hidden and name not in self.cradle.own
+        return not self.cradle.hidden and name not in self.cradle.set_by_program
 
     def edit(self, row: int, column: str, number: float) -> None:
         """Let the program make the cradle with this number in its table, if that is allowed."""

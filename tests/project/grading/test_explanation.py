@@ -1,4 +1,4 @@
-"""The story of a student's mistake: its call, the code line by line, and what was seen."""
+"""The explanation of a student's mistake: its call, the code line by line, and what was seen."""
 
 import builtins
 
@@ -10,11 +10,11 @@ from grading.assignment import PROGRAM
 from line_by_line.table import fitting
 
 
-def story_of(function):
-    """Return the story of the first failure of a function, and its screen with single spaces."""
-    story = failures(function)[0].story
-    lines = [*story.wrong, *fitting(story.rows, 20)[0], *story.below]
-    return story, " ".join(" ".join(lines).split())
+def explained(function):
+    """Return the explanation of a function's first failure, and its words in one line."""
+    explanation = failures(function)[0].explanation
+    lines = [*explanation.wrong, *fitting(explanation.rows, 20)[0], *explanation.below]
+    return explanation, " ".join(" ".join(lines).split())
 
 
 # A function, a wrong version, parts of the screen, and a part that must not be there
@@ -90,7 +90,7 @@ def test_the_story_says_what_was_seen(solve, monkeypatch, name):
     function, version, parts, false = STORIES[name]
     monkeypatch.setattr(builtins, "CALLS", [], raising=False)
     solve(function, version)
-    _, screen = story_of(function)
+    _, screen = explained(function)
     assert [part for part in parts if part not in screen] == [], screen
     assert false not in screen
 
@@ -98,6 +98,6 @@ def test_the_story_says_what_was_seen(solve, monkeypatch, name):
 def test_under_a_debugger_there_is_no_table(solve, monkeypatch):
     monkeypatch.setattr(limits, "is_debugged", lambda: True)
     solve("angle_update", "return 1, 1")
-    story, screen = story_of("angle_update")
-    assert not story.rows
+    explanation, screen = explained("angle_update")
+    assert not explanation.rows
     assert "omega_new is 1, not 2." in screen

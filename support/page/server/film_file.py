@@ -1,6 +1,6 @@
-"""A run as one HTML file: the page with its scripts, its textures, and the pictures of the film.
+"""A film as one HTML file: the page with its scripts, its textures, and the pictures of the film.
 
-Any browser opens it, without Python and without a network; run.js plays it. What needs a program
+Any browser opens it, without Python and without a network; film.js plays it. What needs a program
 has the attribute data-served in page.html, and is not shown.
 """
 
@@ -15,10 +15,10 @@ from typing import Any
 from support.files.experiments import YOUR_CSV
 from support.page.server.changes import as_json
 from support.page.server.film import FilmPicture
-from support.page.server.web_files import filled_page, keyless_files, script, SCRIPTS
+from support.page.server.web_files import filled_page, public_files, script, SCRIPTS
 
 # Of the state; the rest is for controls, and for the words of a program.
-STATE_OF_RUN = (
+STATE_OF_FILM = (
     "title", "stopped", "summary",
     "question", "unknown", "hits", "motion", "bars", "curves", "view",
 )  # fmt: skip
@@ -28,12 +28,12 @@ LONG_NUMBER = re.compile(r"(?<=[,:[A-Za-z])-?\d+\.\d{5,}(?:e-?\d+)?")
 TEXTURE = re.compile(r'":(\w+\.jpg)"')  # a texture's name, as VPython has it
 
 
-def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
-    """Return a run as an HTML file, from the pictures of its film."""
-    run = as_json(pictures_for_player(pictures))
-    run = LONG_NUMBER.sub(lambda number: f"{float(number[0]):.5g}", run)
-    web = keyless_files()
-    textures = {name: in_letters(web[name]) for name in {*TEXTURE.findall(run)}}
+def film_as_html(pictures: Sequence[FilmPicture]) -> bytes:
+    """Return a film as an HTML file, from its pictures."""
+    film = as_json(pictures_for_player(pictures))
+    film = LONG_NUMBER.sub(lambda number: f"{float(number[0]):.5g}", film)
+    web = public_files()
+    textures = {name: in_letters(web[name]) for name in {*TEXTURE.findall(film)}}
     head = [
         f"<!--\n{licence()}\n-->",
         script("document.documentElement.className = 'recorded';"),
@@ -42,13 +42,15 @@ def run_as_html(pictures: Sequence[FilmPicture]) -> bytes:
     scripts = [
         *(script(web[name].decode()) for name in SCRIPTS),
         script(as_json(textures), ' type="application/json" class="textures"'),
-        script(in_letters(gzip.compress(run.encode(), mtime=0)), ' type="text/plain" class="run"'),
+        script(
+            in_letters(gzip.compress(film.encode(), mtime=0)), ' type="text/plain" class="film"'
+        ),
     ]
 
     def address(name: str) -> str:
         return f"data:text/javascript;base64,{in_letters(web[f'{name}.js'])}"
 
-    return filled_page("\n".join(head), scripts, "run", address).encode()
+    return filled_page("\n".join(head), scripts, "film", address).encode()
 
 
 def in_letters(content: bytes) -> str:
@@ -56,11 +58,11 @@ def in_letters(content: bytes) -> str:
 
 
 def pictures_for_player(pictures: Sequence[FilmPicture]) -> list[dict[str, Any]]:
-    """Return pictures as run.js has them, with times (s) and the state of a run."""
+    """Return pictures as film.js has them, with times (s) and the state of a film."""
     last_curves = -inf  # s
     for_player: list[dict[str, Any]] = []
     for time, changes in pictures:
-        state = {name: value for name, value in changes["state"].items() if name in STATE_OF_RUN}
+        state = {name: value for name, value in changes["state"].items() if name in STATE_OF_FILM}
         # A new run begins with a new graph
         if "question" in state or time - last_curves >= CURVES:
             last_curves = time

@@ -1,4 +1,4 @@
-"""The line between a tab in a browser and a far program: its address, a cut, an end."""
+"""The connection between a tab in a browser and a far program: its address, a cut, an end."""
 
 import json
 import signal

@@ -1,8 +1,8 @@
-// The line to the program: a websocket. It brings the state and VPython's drawing, and takes commands.
+// The connection to the program: a websocket. It brings the state and VPython's drawing, and takes commands.
 // Whatever happens to it, the next one is that of a new tab, which gets the whole state.
 import { showPicture } from "canvas";
 import { fill, notice, one, show } from "page";
-import { set, setLine, sliders } from "program";
+import { set, setSender, sliders } from "program";
 
 const SILENT = 4; // looks without a word of the program, after which the page says so
 const LONGEST = 5000; // ms that an answer to a request may take
@@ -14,13 +14,13 @@ address.protocol = address.protocol.replace("http", "ws");
 
 let socket;
 let silence = 0; // looks since the last word of the program
-let isAsking = false; // whether the page asks for a new line
+let isAsking = false; // whether the page asks for a new connection
 let hasEnded = false; // whether the program has said so
 let seen = 0; // messages that are shown, and not yet answered
 
 const isOpen = () => socket.readyState === WebSocket.OPEN;
 
-setLine(send);
+setSender(send);
 show("ended", () => {
   hasEnded = true;
   notice("ended");
