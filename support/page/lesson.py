@@ -18,11 +18,11 @@ from typing import Any
 
 from support.constants import G
 from support.cradle.motion import Motion
-from support.cradle.prediction import Measurement
 from support.cradle.real_time import FRAME, RealTime
 from support.files.experiments import Experiment
 from support.page.chooser import Chooser
 from support.page.names import State
+from support.page.prediction import Measurement
 from support.page.scene.slow_hits import SlowHits
 
 FREE, ASKED, RUNNING, SEEN, EXPLAINED = "free", "asked", "running", "seen", "explained"

@@ -5,11 +5,9 @@ from itertools import chain
 from typing import Any, NamedTuple
 
 from support.cradle.cradle import Cradle
-from support.cradle.held_bob import HeldBob
 from support.cradle.player import Player, PLAYER_FILE
 from support.cradle.real_time import FRAME, RealTime
 from support.cradle.settings import Settings
-from support.cradle.stopwatch import Stopwatch
 from support.files.cradle_csv import LiveFile
 from support.files.experiments import Experiment
 from support.files.source_files import CONSTANTS, LiveSource
@@ -19,6 +17,7 @@ from support.page.chooser import Chooser
 from support.page.cradle_editor import CradleEditor
 from support.page.ghost_file import GhostFile
 from support.page.graph import Graph
+from support.page.held_bob import HeldBob
 from support.page.lesson import Lesson
 from support.page.names import State
 from support.page.readout import Bars, readout_lines
@@ -26,6 +25,7 @@ from support.page.scene.marks import GhostPoses, Marks
 from support.page.scene.scenery import Scenery
 from support.page.scene.slow_hits import SlowHits
 from support.page.server.tabs import Tabs
+from support.page.stopwatch import Stopwatch
 from support.page.unknown import Unknown
 from support.start.end import end_if_signalled
 from support.start.mistake import report_mistake

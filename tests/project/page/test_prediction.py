@@ -14,9 +14,9 @@ from whole_cradles import PERIOD, Swing
 from support.constants import G, R_PARAM
 from support.cradle.cradle import Cradle
 from support.cradle.double_cradle import DoubleCradle
-from support.cradle.prediction import Measurement
 from support.cradle.settings import settings_of
 from support.files.experiments import EXPERIMENTS, read_experiment, read_experiments
+from support.page.prediction import Measurement
 
 KINDS = Cradle, DoubleCradle
 TICK = Cradle.dt / PERIOD  # in small swings
