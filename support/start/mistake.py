@@ -95,7 +95,7 @@ def report_endless_loop(error: BaseException, player: str = "") -> None:
     frames = students_frames(error, player)
     if frames and getattr(error, "is_late", True):
         lines = "".join(traceback.format_list(frames))
-        print(f"Does a loop never end?\n{lines}", end="", file=sys.stderr)
+        print(f"Is there a loop that never ends?\n{lines}", end="", file=sys.stderr)
 
 
 def require_pendula(make: Callable | str, pend_list: Any, keys: Iterable[str], parts: int) -> None:

@@ -44,7 +44,7 @@ def preview(
     swing = ("full_swing_update", pend_list, R_PARAM, DT, G)
     calls: list[tuple] = []  # of a tick
     if written.is_missing("angle_update", "full_swing_update"):
-        sight = "With tier C, the pendula swing."
+        sight = "With tier C, the pendula swing. If they hang wrong, type pytest."
     elif written.is_missing("handle_collision", "handle_two_bobs"):
         calls = [swing]
         sight = "With tier B, two bobs collide. If no pendulum swings, type pytest."

@@ -23,6 +23,8 @@ ROWS: list[tuple[Any, str, str]] = [
     (SyntaxError, "^invalid .*character", "Delete the character at the mark (you may not see it), and type what belongs there. In Python, * multiplies, and ** is a power."),
     ((SyntaxError, ValueError), "null bytes|codec can't decode", "This file is not saved in UTF-8. Save it with the encoding UTF-8."),
     (TypeError, "'(int|float)' object is not callable", "A number stands in front of the brackets, and a number is no function. To multiply, write *."),
+    (TypeError, "cannot unpack non-iterable NoneType", "This function returns nothing. Call it without =."),
+    (TypeError, "'int' object is not iterable", "A for loop goes through a list, or through range of a number."),
     (TypeError, "list indices must be integers or slices, not dict", "A for loop over a list gives its elements, not their numbers."),
     (TypeError, "'<=' not supported between instances of 'vector'", "mag gives the length of a vector: a number."),
     (AttributeError, "'str' object has no attribute 'x'", "COLOR_MAP has the vector for the name of a color."),

@@ -123,7 +123,7 @@ def write_next(starter, function) -> str:
     return f"Write next: {function} ({file}, line {line})."
 
 
-SEE_SWING = "With tier C, the pendula swing."
+SEE_SWING = "With tier C, the pendula swing. If they hang wrong, type pytest."
 SEE_COLLIDE = "With tier B, two bobs collide. If no pendulum swings, type pytest."
 SEE_TWO = "Here are the first two pendula alone: their bobs collide. If not, type pytest."
 SEE_TICK = "Here, newton_cradle_tick moves all pendula. If it does not, type pytest."

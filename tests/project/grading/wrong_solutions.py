@@ -72,6 +72,8 @@ SAID = {
         "This line ends": "import sys; sys.exit('the end')",
     },
     "full_swing_update": {
+        "Call it without =.": ("swing_update(", "omega, theta = swing_update("),
+        "through range": ("in pend_list", "in len(pend_list)"),
         "axle of pend_list[0]": ("swing_update(", "pend['objects'] = tuple(map(__import__('copy').copy, pend['objects'])); swing_update("),
         "pend_list[5]: theta 0, omega 4e-08 ... (10 in all)": ("in pend_list", "in pend_list[:5]"),
         "is 1.6875, not 3.": ("dt, g)", "dt, g)\n        from src.visualize_cradle_run import handle_two_bobs\n        for pair in zip(pend_list, pend_list[1:]): handle_two_bobs(*pair, r_param)"),

@@ -70,7 +70,7 @@ def test_a_signal_in_a_loop_without_end_names_it(main, csv, monkeypatch, write_p
     monkeypatch.setattr("support.cradle.player.ENDLESS_AFTER", -1)
     status, _, stderr = main(csv)
     assert status == 143
-    assert stderr.startswith("Does a loop never end?\n")
+    assert stderr.startswith("Is there a loop that never ends?\n")
     assert 'program.py", line 2, in <module>' in stderr
 
 
