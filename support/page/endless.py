@@ -73,7 +73,7 @@ class Watch:
             return
         self.looks += 1
         self.frames = [frame for frame in self.frames if frame in frames]
-        if self.frames and self.looks * LOOK == TOO_LONG:
+        if self.frames and self.looks == round(TOO_LONG / LOOK):
             stays = self.frames[0]
             place = place_of(stays.f_code.co_filename, stays.f_lineno)
             self.say(f"{place}: {STAYS}")

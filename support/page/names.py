@@ -43,7 +43,7 @@ class State(TypedDict, total=False):
     endless: str  # the line where the program stays, or waits
     stopped: str  # the mistake that has ended the last run
     over: str  # why it is over without a mistake
-    saved: str  # why what you have saved does not run, or has a wrong name
+    saved: str  # why what you have saved does not run
     ended: bool  # whether the program has ended
     word: str  # about your last command
     # The motion

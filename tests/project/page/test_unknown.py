@@ -1,7 +1,6 @@
 """A hidden value: nothing shows it, and the page says how far yours is off."""
 
 import json
-import sys
 
 import pages
 import pytest
@@ -11,7 +10,6 @@ from shared_page import wait_for_text
 from students import put_files
 from whole_cradles import PERIOD
 
-from src import text_cradle_run
 from support.page.scene.slow_hits import VELOCITY
 
 TEXT = """\
@@ -116,20 +114,6 @@ def test_a_value_that_is_found_is_shown_until_the_next_run(unknown):
     assert "energy" in rig.state["motion"]
     rig.give("restart")
     assert rig.marks("below")[0].text.startswith("? kg")
-
-
-def test_lines_and_recorded_data_do_not_show_it(tmp_path, monkeypatch, capsys):
-    experiment = put_files(tmp_path, {"one.toml": MASS}) / "one.toml"
-    data = tmp_path / "data.csv"
-    for options in (["--record", str(data)], []):
-        arguments = ["--experiment", str(experiment), "--seconds", "0.1", *options]
-        monkeypatch.setattr(sys, "argv", ["text_cradle_run.py", *arguments])
-        text_cradle_run.main()
-    names, _ = data.read_text().split("\n", 1)
-    assert names == "t,theta_1,theta_2,theta_3,omega_1,omega_2,omega_3"
-    shown = capsys.readouterr().out
-    assert "energy" not in shown
-    assert "0.00   -45.0     0.0     0.0\n" in shown
 
 
 def test_a_value_for_a_hidden_mass_is_checked(shared):

@@ -137,3 +137,26 @@ def test_a_terminal_shows_the_progress_of_what_takes_longer_than_two_seconds(
 def test_the_program_refuses_in_one_line(main, csv):
     words = f"--lift: found '6', allowed is at most 5, the number of pendula in {csv}\n"
     assert main(csv, "--lift", 6) == (2, "", words)
+
+
+HIDDEN = """\
+name = "Unknown"
+theta = [-45, 0]
+mass = [3.8, 1]
+hidden = "mass 1"
+question = "Find it."
+why = "So it is found."
+"""
+
+
+def test_lines_and_recorded_data_do_not_show_a_hidden_value(main, csv):
+    experiment = csv.with_name("one.toml")
+    experiment.write_text(HIDDEN)
+    data = csv.with_name("data.csv")
+    arguments = "--experiment", experiment, "--seconds", "0.1"
+    _, shown, _ = main(*arguments)
+    assert "energy" not in shown
+    assert "0.00   -45.0     0.0\n" in shown
+    main(*arguments, "--record", data)
+    names, _ = data.read_text().split("\n", 1)
+    assert names == "t,theta_1,theta_2,omega_1,omega_2"
