@@ -94,9 +94,7 @@ class FilmRecorder(Viewer):
         """
         self.next_refresh = 0.0
         super().frame()
-        if self.lesson.measurement:
-            self.lesson.answer(self.lesson.measurement.experiment.stem, 0)
-            self.lesson.rest_end = 0.0
+        self.lesson.skip_question()
         if self.lesson.state not in (FREE, EXPLAINED):
             return  # the first swing of a lesson: the run follows
         left = self.last - self.motion.ticks
@@ -111,7 +109,7 @@ class FilmRecorder(Viewer):
 
     def show_new_cradle(self) -> None:
         """Show a new cradle; if it has a hidden value, show all that you need to find it."""
-        self.lesson.is_paused = False
+        self.lesson.run()
         self.marks.measures = bool(self.cradle.hidden)
         super().show_new_cradle()
 

@@ -163,6 +163,16 @@ class Lesson:
         experiment = self.chooser.experiment
         self.is_paused = bool(experiment and experiment.hidden)
 
+    def run(self) -> None:
+        """Let the time go on."""
+        self.is_paused = False
+
+    def skip_question(self) -> None:
+        """Give the first answer, and do not rest after the swing."""
+        if self.measurement:
+            self.answer(self.measurement.experiment.stem, 0)
+            self.rest_end = 0.0
+
     def choose_neighbour(self, step: int) -> None:
         """Choose the next experiment (step 1), or the one before this (-1); all are in a ring."""
         names = self.chooser.names()
