@@ -36,7 +36,7 @@ def film_as_html(pictures: Sequence[FilmPicture]) -> bytes:
     textures = {name: in_letters(web[name]) for name in {*TEXTURE.findall(film)}}
     head = [
         f"<!--\n{licence()}\n-->",
-        script("document.documentElement.className = 'recorded';"),
+        script("document.documentElement.className = 'playing-film';"),
         f"<style>{web['style.css'].decode()}</style>",
     ]
     scripts = [

@@ -13,7 +13,7 @@ export function listen() {
 const isCanvas = target => target.matches?.(".canvas canvas"); // a document has no matches
 
 function isOnBob(event) { // as bob_at in dragging.py finds it
-  if (document.documentElement.matches(".recorded, .following")) return false; // nobody drags there
+  if (document.documentElement.matches(".playing-film, .following")) return false; // nobody drags there
   const { pos, ray } = mouseAt(event);
   const distance = bob => bob.pos.sub(pos).cross(ray).mag;
   return bobs().some(bob => distance(bob) < state.view.finger * bob.radius);

@@ -18,7 +18,7 @@ def explained(function):
 
 
 # A function, a wrong version, parts of the screen, and a part that must not be there
-STORIES = {
+SAID = {
     "an attribute is no key": (
         "make_newton_cradle",
         ("COLOR_MAP[pend['color']]", "vector(1, 1, 1)"),
@@ -85,9 +85,9 @@ STORIES = {
 }
 
 
-@pytest.mark.parametrize("name", STORIES)
-def test_the_story_says_what_was_seen(solve, monkeypatch, name):
-    function, version, parts, false = STORIES[name]
+@pytest.mark.parametrize("name", SAID)
+def test_the_explanation_says_what_was_seen(solve, monkeypatch, name):
+    function, version, parts, false = SAID[name]
     monkeypatch.setattr(builtins, "CALLS", [], raising=False)
     solve(function, version)
     _, screen = explained(function)

@@ -43,7 +43,7 @@ class Waiting:
         ("opens, closes", CLOSED),
         ("opens, cut", CUT),
         ("opens, cut, opens, closes", CLOSED),
-        ("opens, closes, loads", LOADING),  # a reload on a slow line
+        ("opens, closes, loads", LOADING),  # a reload on a slow connection
         ("opens, loads, closes, 5, opens, closes", CLOSED),
         ("opens, opens, cut, 50, closes", CUT - 50),
         ("opens, cut, 50, stands still", CUT),

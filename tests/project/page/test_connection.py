@@ -28,7 +28,7 @@ def test_a_page_moves_at_another_name_and_path_until_the_end(page, csv):
     """It asks nobody else. When the program has ended, the page says so."""
     addresses = []
     page.on("request", lambda request: addresses.append(request.url))
-    page.on("websocket", lambda line: addresses.append(line.url.replace("ws", "http", 1)))
+    page.on("websocket", lambda socket: addresses.append(socket.url.replace("ws", "http", 1)))
     with far_program(csv, BELOW.rstrip("/")) as (process, address):
         open_cradle(page, address)
         wait_for_moves(page)
@@ -54,7 +54,7 @@ def test_a_page_with_tls_has_a_line_with_tls(page, csv):
 
         message = json.dumps({"drawing": {}, "state": {"title": "By TLS"}})
         page.route("https://a.example/**", pass_on)
-        page.route_web_socket(f"wss://a.example/ws?{query}", lambda line: line.send(message))
+        page.route_web_socket(f"wss://a.example/ws?{query}", lambda socket: socket.send(message))
         page.goto(f"https://a.example/?{query}")
         page.get_by_text("By TLS").wait_for()
 
@@ -65,7 +65,7 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(page, csv):
     Present and the view stay. A bob that is held swings on at once, though the mouse is still down.
     """
     ends = []
-    page.route_web_socket("**", lambda line: ends.extend([line, line.connect_to_server()]))
+    page.route_web_socket("**", lambda socket: ends.extend([socket, socket.connect_to_server()]))
     with far_program(csv) as (_, address):
         open_cradle(page, address)
         wait_for_moves(page)
@@ -78,8 +78,8 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(page, csv):
         pages.drag(page, 3, 20, 40)
         programs.wait_until(lambda: pages.bob_angles(page)[3] == pytest.approx(40, abs=1))
         page.route("**", lambda route: route.abort())
-        for line in ends:
-            line.close()
+        for socket in ends:
+            socket.close()
         page.get_by_text(NO_ANSWER).wait_for()
         page.evaluate("one('[name=arrows]').click()")  # it is not sent
         page.unroute_all()

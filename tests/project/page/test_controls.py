@@ -16,10 +16,10 @@ from support.page.names import COMMANDS
 JUNK = [None, nan, 10**400, [], {}, [0, 0, 10**400]]
 # A ray through the third bob's middle: it grabs the bob, and drags it a little.
 POINT, DIRECTION = [R_PARAM / 20, -0.8 * R_PARAM, 0], [0, 0, -1]
-KEY = "02_two_bobs"
+STEM = "02_two_bobs"
 TAKEN = {  # values that a command takes; the others take none
     "set": ["lifted", 2],
-    "answer": [KEY, 0],
+    "answer": [STEM, 0],
     "check": ["2.7"],
     "edit": [0, "mass", 2],
     "save_csv": [0.25],
@@ -29,7 +29,7 @@ TAKEN = {  # values that a command takes; the others take none
 }
 REFUSED = {  # values that are beside them
     "set": [["angle_phi", 30], ["lifted", 1.5]],  # the first one is of the double cradle
-    "answer": [[KEY, -1], [KEY, 0.5]],
+    "answer": [[STEM, -1], [STEM, 0.5]],
     "edit": [[-1, "e", 0], [5, "e", 0], [0, "color", 1], [0, "mass", 0], [0, "e", 2]],
     "grab": [[POINT, [0, 0, 0]]],
     "drag": [[POINT, [0, 0, 0]]],

@@ -11,7 +11,7 @@ from support.constants import R_PARAM
 from support.page.lesson import ASKED, EXPLAINED, OVER, REST, RUNNING, SEEN, WAITS
 
 TWO = "Two bobs"
-KEY = "02_two_bobs"
+STEM = "02_two_bobs"
 
 
 class QuestionState(NamedTuple):
@@ -41,7 +41,7 @@ def asking(rig):
 @pytest.fixture
 def asking_again(asking):
     """The same, when it asks what you have seen."""
-    asking.give("answer", KEY, 0)
+    asking.give("answer", STEM, 0)
     wait_until_it_is(asking, SEEN)
     return asking
 
@@ -85,7 +85,7 @@ def test_a_lesson_asks_before_the_release_and_after_the_swing_and_then_explains(
     assert question_of(asking) == QuestionState(ASKED)
     question = asking.state["question"]
     assert question["question"] == "Two bobs come in. What leaves on the other side?"
-    asking.give("answer", KEY, 0)
+    asking.give("answer", STEM, 0)
     asking.wait(0.3)
     assert question_of(asking) == QuestionState(RUNNING, asked=0)
     wait_until_it_is(asking, SEEN)
@@ -94,7 +94,7 @@ def test_a_lesson_asks_before_the_release_and_after_the_swing_and_then_explains(
     assert asking.time() == 0
     assert asking.bob_angles() == [45, 45, 0, 0, 0]
     assert "why" not in asking.state["question"]
-    asking.give("answer", KEY, 1)
+    asking.give("answer", STEM, 1)
     assert question_of(asking) == QuestionState(EXPLAINED, asked=0, seen=1, outcome=2)
     # From 45 degrees, a bob comes down at sqrt(2 g R (1 - cos 45 degrees)) = 1.07 m/s.
     assert "two left at 1.07 and 1.07 m/s." in asking.state["question"]["why"]
@@ -117,16 +117,16 @@ def test_an_open_question_waits_for_an_answer_and_says_so(asking, command):
     asking.wait(0.1)
     assert asking.time() == 0
     assert asking.state["word"] == WAITS
-    asking.give("answer", KEY, 2)
+    asking.give("answer", STEM, 2)
     assert asking.state["word"] == ""
 
 
 def test_an_answer_to_another_question_or_after_the_answer_does_nothing(asking):
-    for value in (("01_one_bob", 0), (KEY, 4)):
+    for value in (("01_one_bob", 0), (STEM, 4)):
         asking.give("answer", *value)
     assert question_of(asking) == QuestionState(ASKED)
-    asking.give("answer", KEY, 0)
-    asking.give("answer", KEY, 1)
+    asking.give("answer", STEM, 0)
+    asking.give("answer", STEM, 1)
     assert question_of(asking).asked == 0
 
 
@@ -164,7 +164,7 @@ def test_a_change_ends_the_question_as_it_is_no_longer_about_this_cradle(asking,
 
 @pytest.mark.parametrize("moves", [False, True])
 def test_a_bob_that_is_moved_and_let_go_in_one_frame_ends_the_question(asking, moves):
-    """As on a slow line."""
+    """As on a slow connection."""
     bob = asking.viewer.cradle.bobs()[4].pos
     asking.tell("grab", bob.value, [0, 0, -1])
     asking.tell("drag", (bob + vector(0.01 * moves, 0, 0)).value, [0, 0, -1])
@@ -176,7 +176,7 @@ def test_a_bob_that_is_moved_and_let_go_in_one_frame_ends_the_question(asking, m
 def test_ghosts_swing_as_far_as_the_answers_say_until_the_picture_rests_no_more(asking_again):
     rig = asking_again
     rig.give("momenta", True)
-    rig.give("answer", KEY, 0)
+    rig.give("answer", STEM, 0)
     points = rig.state["view"]["points"]
     assert max(x for x, *_ in points) > rig.cradle.axles()[-1].pos.x + R_PARAM  # room for 100
     rig.wait(0.35)
@@ -207,7 +207,7 @@ def test_again_slowly_shows_the_swing_once_more_and_changes_nothing_else(asking_
     rig = asking_again
     rig.give("speed", 2)
     if state == EXPLAINED:
-        rig.give("answer", KEY, 1)
+        rig.give("answer", STEM, 1)
         wait_for_rest(rig)
     before = question_of(rig)
     rig.give("repeat")

@@ -49,10 +49,10 @@ def test_files_that_everybody_can_download_come_whole_without_the_key(site):
         assert get(site, BELOW + file.name, "")[::2] == (200, file.read_bytes())
 
 
-def test_the_page_and_its_run_need_a_key_and_a_run_that_of_the_tab_that_commands(site):
+def test_the_page_and_its_film_need_a_key_and_a_film_that_of_the_tab_that_commands(site):
     """The page comes below any path, and sends its address to no other site."""
     follow = f"follow={site.server.keys['follow']}"
-    for query, page, gets_run in (
+    for query, page, gets_film in (
         ("", 403, False),
         ("{key}0", 403, False),
         ("key=%ff%00", 400, False),
@@ -62,11 +62,11 @@ def test_the_page_and_its_run_need_a_key_and_a_run_that_of_the_tab_that_commands
         status, headers, content = get(site, BELOW, query)
         assert status == page
         assert headers["Referrer-Policy"] == "no-referrer"
-        assert (b"py a.py</code>" in content) == gets_run
+        assert (b"py a.py</code>" in content) == gets_film
         assert (content.decode() == server.NO_KEY) == (status == 403)
         with mock.patch.object(site.server.tabs, "pictures", list):
             found = get(site, f"{BELOW}film.html", query)[0]
-        assert (found == 404) == gets_run  # there is no picture to save
+        assert (found == 404) == gets_film  # there is no picture to save
 
 
 @pytest.mark.parametrize(
