@@ -48,14 +48,6 @@ def test_a_mistake_ends_a_program_with_the_students_line_last(
     assert "support" not in stderr
 
 
-def test_a_mistake_of_the_program_as_a_whole_has_no_line_of_ours(main, csv, write_program):
-    write_program(PROGRAM.replace("pass", "exit()"))
-    status, _, stderr = main(csv)
-    assert status == 1
-    assert stderr.startswith("The program has ended, but the simulation goes on. ")
-    assert stderr.count("\n") == 1
-
-
 def test_a_mistake_of_the_project_is_reported_in_full(main, csv, monkeypatch):
     monkeypatch.setattr(Motion, "time", lambda motion: 1 / 0)
     status, _, stderr = main(csv)
