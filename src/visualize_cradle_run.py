@@ -58,6 +58,6 @@ def newton_cradle_tick(pend_list: list[PendulumEntry], r_param: float, dt: float
 
 if __name__ == "__main__":
     pend_list = make_newton_cradle(NC_FP, R_PARAM, THETA_INIT)
-    # is_running shows them, and waits until a tick is due.
+    # is_running shows the pendula, and waits until a tick is due.
     while is_running(pend_list):
         newton_cradle_tick(pend_list, R_PARAM, DT, G)

@@ -1,8 +1,8 @@
 """The functions that the handout provides, and the folders of the programs.
 
 Words
-    hit            a call of handle_two_bobs that changes the velocities of two pendula; its record
-                   (hits.py) says who hits whom, and at which speed
+    hit            a call of handle_two_bobs, or of handle_two_double_bobs, that changes the
+                   velocities of two pendula; its record (hits.py) says who hits whom, and how fast
     fast           of a hit: its speed is at least a tenth of that of the fastest bob
     series         hits that follow each other quickly
     frame          one picture, with the ticks that come before it

@@ -127,8 +127,9 @@ def changed_texts() -> dict[str, bytes]:
     texts = {file: for_students(file) for file in STUDENTS_FILES}
     texts[GIVEN_FUNCTIONS] = given_functions(texts)
     texts["src/no_program.py"] = NO_PROGRAM_FILE
-    project, _, _ = text_of("pyproject.toml").partition("\n# A plain pytest")
-    texts["pyproject.toml"] = project.replace(" -m 'not browser and not slow and not engine'", "")
+    # As far as its options of the tests, without the choice of marks
+    project, grader, _ = text_of("pyproject.toml").partition("-p grading.pytest_grader")
+    texts["pyproject.toml"] = f'{project}{grader}"\n'
     for name, place in OWN.items():
         texts[name] = text_of(place).replace("../../", "")  # in links
     return {name: text.encode() for name, text in texts.items()}

@@ -82,7 +82,7 @@ class Player:
     # --- for a kind of player ------------------------------------------------------------------
 
     def frame(self) -> None:
-        """Do the work of one frame: show the cradle, and call plan or want_cradle."""
+        """Do the work of one frame: show the cradle, and call plan or next_cradle.want."""
         raise NotImplementedError
 
     def show_new_cradle(self) -> None:

@@ -30,15 +30,18 @@ if TYPE_CHECKING:
     from support.page.viewer import FirstCradle
 
 
+DOUBLE_PROGRAM = "visualize_double_cradle_run.py"
+
+
 @ended_quietly()
 def show() -> None:
     """Run the started file in the browser, again for each cradle, until the last tab is closed.
 
-    A file with "double" in its name makes a double cradle. Exits with status 2 if an option or the
-    CSV is wrong, with 1 if the last run ended with a mistake.
+    DOUBLE_PROGRAM makes a double cradle. Exits with status 2 if an option or the CSV is wrong, with
+    1 if the last run ended with a mistake.
     """
     file = Path(str(sys.modules["__main__"].__file__)).resolve()
-    if "double" in file.name:
+    if file.name == DOUBLE_PROGRAM:
         options = read_double_page_options()
         show_page(file, DoubleCradle(), options, [options.angle, options.phi])
     else:

@@ -3,9 +3,9 @@
 A function that is not written yet raises a NotImplementedError.
 """
 
-import sys
 from collections import ChainMap
 from collections.abc import Callable
+from importlib import import_module
 from traceback import extract_tb
 from typing import Any
 
@@ -68,7 +68,7 @@ class Written:
 
     def __init__(self, names: dict[str, Any]) -> None:
         """names are those of the program."""
-        self.functions = ChainMap(names, *(vars(sys.modules[name]) for name in MODULES))
+        self.functions = ChainMap(names, *(vars(import_module(name)) for name in MODULES))
         self.missing: dict[str, str] = {}  # the places of those that are not, by their names
 
     def make_cradle(self) -> list[Pendulum]:

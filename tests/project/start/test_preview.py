@@ -4,7 +4,7 @@ import pytest
 from programs import python, slow_except
 from students import change, NO_CRADLE, STAGES, write, write_next, write_tiers
 
-from grading.assignment import PROGRAM, SPECIAL, SWINGING
+from grading.assignment import PROGRAM, SPECIAL, SWINGING, VISUALIZE_FILE
 
 TERMINAL = "src/text_cradle_run.py"
 
@@ -60,3 +60,10 @@ def test_a_mistake_is_shown_only_if_the_cradle_needs_its_line(starter, mistake):
     printed = done.stderr.splitlines()[-2] if status else done.stdout  # the last line is advice
     assert printed.startswith(words)
     assert "another exception" not in done.stderr
+
+
+def test_a_program_without_an_import_shows_which_function_is_next(starter):
+    change(starter / VISUALIZE_FILE, "from src.swinging import full_swing_update\n", "")
+    done = python(TERMINAL, folder=starter)
+    message = f"{NO_CRADLE}{write_next(starter, 'extract_and_convert')}\n"
+    assert (done.returncode, done.stdout, done.stderr) == (2, "", message)
