@@ -142,7 +142,10 @@ def test_what_a_solution_forges_is_short_no_formula_and_no_code_of_a_terminal(tm
 
 
 @on_posix
-@pytest.mark.parametrize("how", ["--here", pytest.param("", marks=pytest.mark.engine)])
+@pytest.mark.parametrize(
+    "how",
+    [pytest.param("--here", marks=pytest.mark.slow), pytest.param("", marks=pytest.mark.engine)],
+)
 def test_an_interrupted_class_keeps_what_is_graded_and_leaves_nothing(classroom, how):
     """The signal comes three times."""
     classroom.how = how.split()
@@ -226,6 +229,7 @@ def run(program, arguments, monkeypatch, capfd):
 
 
 @on_posix
+@pytest.mark.slow
 def test_the_autograder_grades_a_solution_and_holds_no_answers(
     tmp_path, monkeypatch, capfd, solved
 ):
