@@ -50,7 +50,8 @@ def shared(open_page, file):
     pages.press(page, "Run")
     pages.button(page, "Pause").wait_for()  # else the page may still say that it is paused
     yield page
-    page.evaluate("state.paused || send('pause')")  # other tests have the machine for themselves
+    # Other tests have the machine for themselves
+    page.evaluate("scene().visible = false; state.paused || send('pause')")
 
 
 @pytest.fixture
