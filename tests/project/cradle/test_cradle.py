@@ -5,7 +5,7 @@ from collections import defaultdict
 from itertools import chain
 
 import pytest
-from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, thetas
+from whole_cradles import distances, FIVE_CSV, GOOD, HEADER, let_bobs_touch, thetas
 
 from grading.cradles import MIXED_CSV
 from support import pendulum
@@ -82,11 +82,8 @@ def test_each_call_that_changes_a_velocity_is_a_hit(swing):
     player = swing(HEADER + GOOD * 3, lift=0)
     player.next_cradle.settings = player.next_cradle.settings._replace(separating=True)
     cradle = player.cradle
-    for bob in cradle.bobs():
-        bob.radius *= 1.01
+    collide = let_bobs_touch(cradle)
     first, second, third = cradle.pend_list
-    first["omega"] = 2.0
-    collide = cradle.tick_names["handle_two_bobs"]
     collide(first, second, R_PARAM)
     collide(second, third, R_PARAM)
     collide(first, second, R_PARAM)  # these two are at rest

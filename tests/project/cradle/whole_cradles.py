@@ -103,6 +103,14 @@ def distances(pend_list) -> list[float]:
     return found
 
 
+def let_bobs_touch(cradle):
+    """Let all bobs touch, and the first one move; return the function of the program for a hit."""
+    for bob in cradle.bobs():
+        bob.radius *= 1.01
+    cradle.pend_list[0]["omega"] = 2.0
+    return cradle.tick_names["handle_two_bobs"]
+
+
 class FrameError(Exception):
     """The player begins its next frame."""
 

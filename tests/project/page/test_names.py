@@ -51,5 +51,5 @@ def test_each_control_that_the_page_knows_is_declared_and_each_has_its_place(rig
 
 
 def test_no_script_makes_elements_of_a_text():
-    """So what stands in a file is shown as text, whatever it is."""
+    """So each text of a file is shown as a text."""
     assert not in_scripts(r"innerHTML|outerHTML|insertAdjacentHTML|document\.write|srcdoc")

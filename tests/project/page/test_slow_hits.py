@@ -6,7 +6,7 @@ import pytest
 from pages import tick
 from rig import Rig
 from vpython import vector
-from whole_cradles import GOOD, HEADER, PERIOD
+from whole_cradles import GOOD, HEADER, let_bobs_touch, PERIOD
 
 from support.constants import R_PARAM
 from support.cradle.double_cradle import DoubleCradle
@@ -86,12 +86,8 @@ def test_slow_hits_say_why_they_are_empty(csv, write):
 
 def test_a_hit_has_all_bobs_as_after_it_its_arguments_and_only_the_last_of_many_are_kept(swing):
     player = swing(HEADER + GOOD * 3, lift=0)
-    cradle = player.cradle
-    for bob in cradle.bobs():
-        bob.radius *= 1.01
-    first, second, third = cradle.pend_list
-    first["omega"] = 2.0
-    collide = cradle.tick_names["handle_two_bobs"]
+    collide = let_bobs_touch(player.cradle)
+    first, second, third = player.cradle.pend_list
     collide(first, second, R_PARAM)
     collide(third, pend2=second, r_param=R_PARAM)  # in any order
     hits = player.hits.noted
