@@ -124,7 +124,7 @@ def end(process):
 
     The output is what it has printed on stdout and on stderr.
     """
-    stdout, stderr = process.communicate(timeout=2 * SECONDS)  # a cut connection takes a minute
+    stdout, stderr = process.communicate(timeout=10 * SECONDS)  # a class, on a busy machine
     return process.returncode, stdout, stderr
 
 
