@@ -74,6 +74,7 @@ def classroom(made, tmp_path):
     assert os.listdir(classroom.work) == []
 
 
+@pytest.mark.slow
 def test_a_class_is_graded_in_a_table_and_texts(classroom, solved):
     swinging = solved["swinging.py"].decode()
     classroom.hand_in("ann", swinging, solved)
