@@ -8,9 +8,8 @@ def listen(host: str, port: int) -> socket.socket:
 
     Raises a ValueError with a one-line message if it is not available.
     """
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
     try:
-        return socket.create_server((host, port), family=family)
+        return socket.create_server((host, port))
     except OSError as error:
         raise ValueError(
             f"port {port} of {host} is not available: {error.strerror}; choose another --port "

@@ -45,7 +45,7 @@ TAB_IS_CLOSED = 1001  # the code with which a browser ends the websocket of a pa
 TYPES = {".js": "text/javascript", ".css": "text/css", ".jpg": "image/jpeg"}
 NO_KEY = (
     "Open the whole address that the program has printed in the terminal: "
-    "it ends with a key, new at each start.\n"
+    "it ends with a key, new at each start."
 )
 
 
@@ -98,10 +98,9 @@ class Server:
 
     def address(self) -> str:
         """Return the address of the page that commands."""
-        host, port, *_ = self.listener.getsockname()
-        host = {"0.0.0.0": "127.0.0.1", "::": "::1"}.get(host, host)
-        if ":" in host:
-            host = f"[{host}]"
+        host, port = self.listener.getsockname()
+        if host == "0.0.0.0":
+            host = "127.0.0.1"
         return f"http://{host}:{port}/?key={self.keys['key']}"
 
     def close(self) -> None:
@@ -142,7 +141,7 @@ class Guarded(RequestHandler):
     def prepare(self) -> None:
         """Refuse a request without a key."""
         if not any(map(self.has, self.keys)):
-            raise HTTPError(403)
+            raise HTTPError(403, reason=NO_KEY)
 
     def has(self, name: str) -> bool:
         """Return whether the request has this key; the time that this takes betrays nothing."""
@@ -152,10 +151,6 @@ class Guarded(RequestHandler):
     def set_default_headers(self) -> None:
         self.set_header("Cache-Control", "no-cache")
         self.set_header("Referrer-Policy", "no-referrer")  # no other site hears of the key
-
-    def write_error(self, status_code: int, **_: Any) -> None:
-        self.set_header("Content-Type", "text/plain; charset=utf-8")
-        self.finish(NO_KEY if status_code == 403 else "")
 
 
 class Page(Guarded):
@@ -196,9 +191,6 @@ class File(RequestHandler):
         self.set_header("Content-Type", TYPES[Path(name).suffix])
         self.set_header("Cache-Control", "no-cache")
         self.finish(self.files[name])
-
-    def write_error(self, *_: Any, **__: Any) -> None:
-        self.finish()
 
 
 class Socket(Guarded, WebSocketHandler):

@@ -1,7 +1,7 @@
 // Share: the address for those who follow on their own screens.
 import { find, one } from "page";
 
-const LOCAL = /^(localhost|127\..*|\[::1\])$/;
+const LOCAL = /^(localhost|127\..*)$/;
 
 const address = new URL(".", document.baseURI);
 address.search = `follow=${one("[data-text=share]").textContent}`;

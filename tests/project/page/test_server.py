@@ -37,7 +37,7 @@ def site():
 
 @pytest.mark.parametrize("name", ["page.html", "../server/tabs.py", "%2e%2e%2fserver%2ftabs.py"])
 def test_a_file_that_is_not_of_the_page_is_not_there(site, name):
-    assert get(site, f"/{name}")[::2] == (404, b"")
+    assert get(site, f"/{name}")[0] == 404
 
 
 def test_files_that_everybody_can_download_come_whole_without_the_key(site):
@@ -63,7 +63,7 @@ def test_the_page_and_its_film_need_a_key_and_a_film_that_of_the_tab_that_comman
         assert status == page
         assert headers["Referrer-Policy"] == "no-referrer"
         assert (b"py a.py</code>" in content) == gets_film
-        assert (content.decode() == server.NO_KEY) == (status == 403)
+        assert (server.NO_KEY.encode() in content) == (status == 403)
         with mock.patch.object(site.server.tabs, "pictures", list):
             found = get(site, f"{BELOW}film.html", query)[0]
         assert (found == 404) == gets_film  # there is no picture to save
