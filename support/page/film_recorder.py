@@ -61,9 +61,6 @@ class NoTabs(Tabs):
     def sleep(self, seconds: float) -> None:
         self.now += seconds
 
-    def can_send(self) -> bool:
-        return True
-
 
 class FilmRecorder(Viewer):
     """Plays the first seconds of one cradle after another, as fast as the machine can."""

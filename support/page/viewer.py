@@ -190,8 +190,6 @@ class Viewer(Player):
             self.motion.set_start()  # 100 % is the energy of this moment
             self.take_sample()  # one scale: the graph ends at the 100 % of this moment, too
         self.scenery.keep_in_view(bob.pos for bob in self.cradle.bobs())
-        if not self.tabs.can_send():
-            return
         state = self.state_in_step()
         if self.pace.clock() >= self.next_refresh:
             self.next_refresh = self.pace.clock() + REFRESH
@@ -313,11 +311,10 @@ class Viewer(Player):
         self.unknown.begin()
         self.begin_swing()
         self.next_refresh = 0.0
+        self.show_frame()
         while not (self.tabs.is_seen.is_set() or self.tabs.are_gone):
             end_if_signalled()
-            self.show_frame()
             self.tabs.is_seen.wait(FRAME)
-            self.next_refresh = 0.0
             self.pace.restart()
 
     def drag(self, place: Sequence[float], direction: Sequence[float]) -> None:

@@ -59,7 +59,7 @@ class Tab:
 class Tabs:
     """All tabs.
 
-    The program calls can_send, show, tell and begin_film, from its threads. It takes the commands,
+    The program calls show, tell and begin_film, from its threads. It takes the commands,
     and looks at is_seen and are_gone. The server calls the other methods, in its own thread.
     """
 
@@ -75,10 +75,6 @@ class Tabs:
         self.holder: Tab | None = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether no tab will come any more
-
-    def can_send(self) -> bool:
-        """Return whether a tab can take a message now; if not, changes wait, and are merged."""
-        return any(tab.allowance > 0 for tab in [*self.tabs])
 
     def show(self, state: Mapping[str, Any]) -> None:
         """Send what VPython's objects have changed, and what differs in the state.

@@ -20,17 +20,13 @@ Shape.idx = ForShow.idx = property(id)  # VPython numbers its objects
 
 
 class Rig:
-    """The clock, the viewer that uses it, and its only tab.
-
-    The tab has drawn a picture, and always has room.
-    """
+    """The clock, the viewer that uses it, and its only tab, which has drawn a picture."""
 
     def __init__(self, csv, *angles, kind=Cradle, lifted: int | None = 1):
         self.now = 100.0
         self.file = csv
         self.state = {}
         self.tabs = SimpleNamespace(
-            can_send=lambda: True,
             show=self.take,
             tell=self.take,
             begin_film=lambda: None,

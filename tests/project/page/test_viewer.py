@@ -55,16 +55,6 @@ def test_numbers_change_ten_times_a_second_and_what_is_in_step_with_the_bobs_in_
     assert 8 <= sum("motion" in state for state in states) <= 10
 
 
-def test_while_no_tab_has_room_nothing_is_shown_and_no_hit_is_lost(rig):
-    rig.tabs.can_send = lambda: False
-    before = dict(rig.state)
-    rig.wait(1)
-    assert rig.state == before  # it would only wait
-    rig.tabs.can_send = lambda: True
-    rig.wait()
-    assert rig.state["sound"]["speed"] > 0.5
-
-
 def test_a_hit_is_heard_with_its_speed_and_bobs_that_rest_on_each_other_are_not(rig):
     """From 30 degrees, a bob comes down at sqrt(2 g R (1 - cos 30 degrees)) = 0.73 m/s."""
     assert "sound" not in rig.state
