@@ -12,7 +12,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.player import Player, PLAYER_FILE, run_for_each_cradle
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
-from support.files.experiments import Experiment, EXPERIMENTS
+from support.files.experiments import Experiment
 from support.page.lesson import EXPLAINED, FREE
 from support.page.server.film import Film
 from support.page.server.film_file import film_as_html
@@ -98,7 +98,7 @@ class FilmRecorder(Viewer):
         self.planned = min(self.planned, left)
         self.report_progress((len(self.films) + 1 - left / self.last) / self.count)
         if not left:
-            self.keep_film()
+            self.films.append(film_as_html(self.tabs.pictures()))
             if self.next_names:
                 self.lesson.choose(self.next_names.pop(0))
             else:
@@ -113,9 +113,6 @@ class FilmRecorder(Viewer):
     def go_on_after(self, error: BaseException | None) -> None:
         Player.go_on_after(self, error)  # nobody mends it here
 
-    def keep_film(self) -> None:
-        self.films.append(film_as_html(self.tabs.pictures()))
-
 
 def write_all_films(file: Path, recorder: FilmRecorder, folder: str) -> None:
     """Write the film of each experiment to an HTML file in this folder.
@@ -125,59 +122,42 @@ def write_all_films(file: Path, recorder: FilmRecorder, folder: str) -> None:
     cradle = recorder.cradle
     experiments = recorder.chooser.experiments
     files = [str(Path(folder, f"{known.stem}.html")) for known in experiments.values()]
-    index = str(Path(folder, "index.html"))
-    if index in files:
-        refuse("--html-all: allowed is another name than index for an experiment")
     for mistake in recorder.chooser.mistakes:
         complain(mistake)
-    if not experiments:
-        refuse(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
     write_films(file, recorder, files, folder)
-    with whole_file(index) as page:
+    with whole_file(str(Path(folder, "index.html"))) as page:
         page.write(index_of(cradle.title, [*experiments.values()]))
 
 
 def write_films(file: Path, recorder: FilmRecorder, files: Sequence[str], place: str) -> None:
     """Write the films of a program to these HTML files; place names them all in a message.
 
-    If a function makes a mistake, a single file ends with it, and several files are not written.
-    After a signal, no file is written. In all these cases, the exit status is 1. Raises an OSError
-    if a file cannot be written.
+    If a function makes a mistake, or after a signal, none is written, and the exit status is 1.
+    Raises an OSError if a file cannot be written.
     """
-    has_failed = False
-    try:
-        with ExitStack() as stack:
-            opened = [stack.enter_context(whole_file(name)) for name in files]
-            recorder.report_progress = stack.enter_context(progress_bar())
-            try:
-                run_for_each_cradle(file, recorder)
-            except SignalError:
-                raise
-            except UnwrittenError as error:
-                refuse(error)
-            except (Exception, SystemExit) as error:
-                recorder.tabs.tell({"stopped": report_mistake(error, PLAYER_FILE)})
-                if not recorder.is_over:  # else the film is whole
-                    recorder.keep_film()
-                has_failed = True
-            if has_failed and len(files) > 1:
-                complain(f"{place} is not written.")
-                sys.exit(1)
-            for opened_file, html in zip(opened, recorder.films, strict=True):
-                opened_file.write(html.decode())
-    except SignalError as stopped:
-        report_endless_loop(stopped, PLAYER_FILE)
-        complain(f"The run ended too early. {place} is not written.")
-        sys.exit(1)
+    with ExitStack() as stack:
+        opened = [stack.enter_context(whole_file(name)) for name in files]
+        recorder.report_progress = stack.enter_context(progress_bar())
+        try:
+            run_for_each_cradle(file, recorder)
+        except UnwrittenError as error:
+            refuse(error)
+        except (Exception, SystemExit) as error:
+            if isinstance(error, SignalError):
+                report_endless_loop(error, PLAYER_FILE)
+            else:
+                report_mistake(error, PLAYER_FILE)
+            complain(f"{place} is not written.")
+            sys.exit(1)
+        for opened_file, html in zip(opened, recorder.films, strict=True):
+            opened_file.write(html.decode())
     for remark in recorder.remarks:
         print(remark)
     seconds = f"{recorder.motion.time():.15g} s"
     of_each = f" of each of {len(files)} experiments" if len(files) > 1 else ""
     print(in_one_line(f"{seconds}{of_each} are in {place}"))
-    if has_failed:
-        sys.exit(1)
 
 
 def index_of(title: str, experiments: Sequence[Experiment]) -> str:

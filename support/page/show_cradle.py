@@ -37,8 +37,7 @@ DOUBLE_PROGRAM = "visualize_double_cradle_run.py"
 def show() -> None:
     """Run the started file in the browser, again for each cradle, until the last tab is closed.
 
-    DOUBLE_PROGRAM makes a double cradle. Exits with status 2 if an option or the CSV is wrong, with
-    1 if the last run ended with a mistake.
+    DOUBLE_PROGRAM makes a double cradle. Exits with status 2 if an option or the CSV is wrong.
     """
     file = Path(str(sys.modules["__main__"].__file__)).resolve()
     if file.name == DOUBLE_PROGRAM:
@@ -55,7 +54,7 @@ def show_page(
     """Run a program, this file, with the page of a cradle, until the last tab is closed for good.
 
     angles are the release angles (rad); None keeps the angle with which the program makes the
-    cradle. With --html or --html-all, write files in place of a page. The exit status is as above.
+    cradle. With --html or --html-all, write files in place of a page.
     """
     prepare = partial(with_options, options=options)
     live_file = LiveFile(options.csv)
@@ -94,7 +93,7 @@ def show_page(
 
 
 def run_with_page(file: Path, cradle: Cradle, first: "FirstCradle", server: "Server") -> None:
-    """Run a program until the last tab is closed; exit with status 1 if its last run failed."""
+    """Run a program until the last tab is closed."""
     from support.page.endless import Watch
     from support.page.viewer import Viewer
 
@@ -110,8 +109,6 @@ def run_with_page(file: Path, cradle: Cradle, first: "FirstCradle", server: "Ser
         watch.stop()
         if is_in_session():  # the prompt has the names of the last run
             vars(sys.modules["__main__"]).update(viewer.names)
-    if viewer.has_failed:
-        sys.exit(1)
 
 
 def write(file: Path, cradle: Cradle, first: "FirstCradle", options: Namespace) -> None:

@@ -76,7 +76,6 @@ class Viewer(Player):
         settings = Settings(first.csv, [*first.angles], first.lifted)
         super().__init__(cradle, settings, cradle.period / SAMPLES_A_SWING, pace)
         self.tabs = tabs
-        self.has_failed = False  # whether the last run has ended with a mistake
         self.source = LiveSource()
         # The time on the pace's clock at which the page gets the whole state again; 0 is at once.
         self.next_refresh = 0.0
@@ -255,7 +254,6 @@ class Viewer(Player):
     def begin(self) -> None:
         """Get ready for the next run, of the files as they are now."""
         super().begin()
-        self.has_failed = False
         self.source.take()
         self.tell_of_files()
 
@@ -277,7 +275,6 @@ class Viewer(Player):
             over, stopped = "", f"{report_mistake(error, PLAYER_FILE).rstrip('.')}. {MEND}"
             if not self.is_shown:
                 stopped += FROM_BEFORE
-            self.has_failed = True
         self.tabs.tell({"title": self.cradle.title, "over": over, "stopped": stopped})
         while not (self.next_cradle.is_wanted or self.tabs.are_gone):
             end_if_signalled()

@@ -71,9 +71,9 @@ def pictures_for_player(pictures: Sequence[FilmPicture]) -> list[dict[str, Any]]
         drawing = changes["drawing"]
         for_player.append({"time": time - pictures[0].time, "drawing": drawing, "state": state})
     for_player[0]["state"].setdefault("stopped", "")  # or it would stay when the film goes back
-    controls = pictures[0].changes["state"].get("controls")  # none if a program fails at once
-    if controls and controls["experiment"]["value"] != YOUR_CSV:
-        for_player[0]["state"]["title"] += f": {controls['experiment']['value']}"
+    name = pictures[0].changes["state"]["controls"]["experiment"]["value"]
+    if name != YOUR_CSV:
+        for_player[0]["state"]["title"] += f": {name}"
     return for_player
 
 

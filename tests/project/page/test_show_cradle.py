@@ -172,15 +172,3 @@ def test_a_program_refuses_in_one_line_before_a_page_opens(start, capsys, line, 
     status, stdout, stderr = call(lambda: start("single", line), capsys)
     assert (status, stdout, stderr.count("\n")) == (2, "", 1)
     assert stderr.startswith(message)
-
-
-def test_a_program_whose_last_run_failed_ends_with_status_1_and_the_error(
-    start, monkeypatch, capsys
-):
-    def run(file, viewer):
-        viewer.go_on_after(ZeroDivisionError("of a student"))
-
-    monkeypatch.setattr("support.page.show_cradle.run_for_each_cradle", run)
-    status, _, stderr = call(lambda: start("single", ""), capsys)
-    assert status == 1
-    assert stderr.splitlines()[-1] == "ZeroDivisionError: of a student"
