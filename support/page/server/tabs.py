@@ -72,7 +72,6 @@ class Tabs:
         self.last: dict[str, Any] = {}  # the state that the tabs have, or will have
         self.lock = Lock()  # two threads call tell
         self.commands: SimpleQueue[list] = SimpleQueue()  # [command, value, ...]
-        self.holder: Tab | None = None  # the tab with the mouse down
         self.is_seen = Event()  # whether a tab has drawn the first picture
         self.are_gone = False  # whether no tab will come any more
 
@@ -141,14 +140,8 @@ class Tabs:
             tab.allowance = min(tab.allowance + seen, MOST_UNSEEN)
             tab.update(self.all)
             return
-        if tab.follows:
-            return
-        if command in ("grab", "drag", "let_go"):
-            is_free = self.holder is None and command == "grab"
-            if self.holder is not tab and not is_free:
-                return  # one tab alone has the mouse down
-            self.holder = None if command == "let_go" else tab
-        self.commands.put([command, *values])
+        if not tab.follows:
+            self.commands.put([command, *values])
 
 
 def without_folders(value: Any) -> Any:

@@ -3,11 +3,16 @@ import { bobs, mouseAt, scene, useDisplaysPixels } from "glow";
 import { state } from "page";
 import { send } from "program";
 
+let isDown = false; // whether a button, or a finger, is down on the canvas
+
 export function listen() {
   useDisplaysPixels();
   const ray = ({ pos }) => [pos, scene().mouse.ray].map(({ x, y, z }) => [x, y, z]);
-  scene().bind("mousedown", event => send("grab", ...ray(event)));
-  scene().bind("mousemove", event => send("drag", ...ray(event)));
+  scene().bind("mousedown", event => {
+    isDown = true;
+    send("grab", ...ray(event));
+  });
+  scene().bind("mousemove", event => isDown && send("drag", ...ray(event)));
 }
 
 const isCanvas = target => target.matches?.(".canvas canvas"); // a document has no matches
@@ -34,7 +39,10 @@ addEventListener("pointermove", event => {
 // VPython does not hear of each end of a drag: not of one with two buttons, nor of one that the
 // system ends.
 for (const type of ["pointerup", "pointercancel"])
-  addEventListener(type, () => send("let_go"), true);
+  addEventListener(type, () => {
+    if (isDown) send("let_go");
+    isDown = false;
+  }, true);
 
 // One finger on a bob drags it at once: VPython would wait whether the finger turns the camera.
 const letTurn = isOn => Object.assign(scene(), { userspin: isOn, userzoom: isOn });
