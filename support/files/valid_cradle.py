@@ -9,17 +9,11 @@ from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from support.columns import CHECKED, SETTABLE, to_number
-from support.files.cradle_csv import CsvRow, Snapshot
+from support.files.cradle_csv import Snapshot
 from support.found import found, in_short
 
 MOST_PENDULA = 1000  # of a cradle
 Numbers = dict[str, list[float]]  # the numbers of all pendula, by their column
-
-# In a double cradle, a light bob between two heavy ones can get so fast that a tick has to be done
-# in many small steps (src/double_cradle.py). With these masses, no trial needed more than about two
-# hundred.
-MOST_TIMES = 1e6
-IN_RANGE = "at most 1e6 times the smallest mass, in a double cradle"
 
 
 class CradleCsv(NamedTuple):
@@ -30,17 +24,16 @@ class CradleCsv(NamedTuple):
     pendula: list[list[str]]  # the cells of each row, one for each column
 
 
-def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
+def read_cradle(snapshot: Snapshot) -> CradleCsv:
     """Return the checked CSV of a cradle.
 
-    cords is the number of cords of a pendulum: 1, or 2 for the double cradle, which needs masses in
-    the range of MOST_TIMES, too. Raises a ValueError for the first mistake. It names the file, the
-    line, the column, the value found and the allowed values.
+    Raises a ValueError for the first mistake. It names the file, the line, the column, the value
+    found and the allowed values.
     """
     rows = snapshot.rows()  # one by one: those of 6 MB would take a gigabyte of memory
     header = next(rows)
     require_columns(f"{snapshot}, line {header.line}", header.cells)
-    pendula: list[CsvRow] = []
+    pendula: list[list[str]] = []
     for row in rows:
         if len(pendula) == MOST_PENDULA:
             raise ValueError(
@@ -48,15 +41,13 @@ def read_cradle(snapshot: Snapshot, cords: int = 1) -> CradleCsv:
                 f"most {MOST_PENDULA}, which already move in slow motion on the page"
             )
         require_allowed_cells(f"{snapshot}, line {row.line}", header.cells, row.cells)
-        pendula.append(row)
+        pendula.append(row.cells)
     if not pendula:
         raise ValueError(
             f"{snapshot}: names columns but has no pendulum, "
             "a cradle needs at least one row below them"
         )
-    if cords == 2:
-        require_masses_in_range(snapshot, header, pendula)
-    return CradleCsv(snapshot.filepath, header.cells, [row.cells for row in pendula])
+    return CradleCsv(snapshot.filepath, header.cells, pendula)
 
 
 def is_cradle(filepath: str) -> bool:
@@ -87,21 +78,6 @@ def require_allowed_cells(place: str, names: list[str], cells: list[str]) -> Non
         column = CHECKED.get(name)
         if column and not column.allows(text):
             raise ValueError(f"{place}, column {name}: {found(text, column.allowed())}")
-
-
-def require_masses_in_range(snapshot: Snapshot, header: CsvRow, pendula: list[CsvRow]) -> None:
-    """Raise a ValueError if these pendula of a double cradle have masses that are too far apart."""
-    column = header.cells.index("mass")
-    masses = [to_number(row.cells[column]) for row in pendula]
-    if not are_in_range(masses):
-        heaviest = pendula[masses.index(max(masses))]
-        message = found(heaviest.cells[column], IN_RANGE)
-        raise ValueError(f"{snapshot}, line {heaviest.line}, column mass: {message}")
-
-
-def are_in_range(masses: Iterable[float]) -> bool:
-    """Return whether the masses of a double cradle are at most MOST_TIMES the smallest one."""
-    return max(masses) <= MOST_TIMES * min(masses)
 
 
 def numbers_in(csv: CradleCsv, column: str) -> list[float]:

@@ -88,7 +88,7 @@ class Chooser:
             return
         self.error = ""
         try:
-            csv = self.prepare(read_cradle(self.file.current, self.cords))
+            csv = self.prepare(read_cradle(self.file.current))
         except ValueError as error:
             self.error = f"{error}. {STILL_THERE}"
             return

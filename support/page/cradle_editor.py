@@ -15,7 +15,7 @@ from support.page.names import State
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.start.mistake import MistakeError, report_mistake
 
-# The least and the largest number that you can type: two masses are at most MOST_TIMES apart.
+# The least and the largest number that you can type
 LIMITS = {"mass": (0.001, 1000), "e": (0, 1)}
 
 

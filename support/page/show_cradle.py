@@ -63,7 +63,7 @@ def show_page(
     server = None
     try:
         # Here, because later mistakes in the file appear only on the page.
-        csv = read_cradle(live_file.current, len(angles))
+        csv = read_cradle(live_file.current)
         require_lifted(options.lift, csv)
         if options.ghosts is not None:
             ghost_file.read(Snapshot(options.ghosts))

@@ -107,7 +107,7 @@ def cradle_options(description: str) -> OneLineParser:
     text = "one e, from 0 to 1, for all pendula (default: the CSV's)"
     add_kind("--e", type=number(0, 1), metavar="E", help=text)
     text = "one mass, in kg, for all pendula (default: the CSV's)"
-    add("--mass", type=number(1e-300, 1e6, "kg"), metavar="KG", help=text)
+    add("--mass", type=number(1e-3, 1e3, "kg"), metavar="KG", help=text)
     text = (
         "release angle of the lifted bobs, from 0 to 180 degrees "
         f"(default: {angle_to_outwards(THETA_INIT):g})"

@@ -131,9 +131,9 @@ def thetas(release_angles) -> list:
     return [None if angle is None else outwards_to_angle(angle) for angle in release_angles]
 
 
-def checked(filepath, cords=1) -> CradleCsv:
+def checked(filepath) -> CradleCsv:
     """Return the CSV in this file, checked."""
-    return read_cradle(Snapshot(filepath), cords)
+    return read_cradle(Snapshot(filepath))
 
 
 def settings_for(file, angles=(None,), lifted=None, **numbers) -> Settings:
@@ -141,7 +141,7 @@ def settings_for(file, angles=(None,), lifted=None, **numbers) -> Settings:
 
     numbers take the place of those in the columns with these names.
     """
-    csv = with_numbers(checked(file, len(angles)), numbers)
+    csv = with_numbers(checked(file), numbers)
     return Settings(csv, [*angles], lifted)
 
 
@@ -160,7 +160,7 @@ class Swing(Player):
         """Make the cradle of this text, the new content of the CSV."""
         filepath = self.next_cradle.settings.csv.filepath
         filepath.write_text(text)
-        self.next_cradle.want(csv=checked(filepath, self.cradle.cord_count))
+        self.next_cradle.want(csv=checked(filepath))
         go_on(self)
 
 

@@ -38,7 +38,7 @@ class Rig:
         self.viewer = Viewer(
             kind(),
             FirstCradle(
-                checked(csv, kind.cord_count),
+                checked(csv),
                 LiveFile(csv, self.clock),
                 lambda csv: csv,
                 thetas(angles or [30]),
