@@ -63,11 +63,6 @@ def is_watched() -> bool:
     return bool(monitoring and any(map(monitoring.get_tool, range(6))))
 
 
-def have_own_bobs(pend_list: list[Pendulum]) -> bool:
-    """Return whether no two pendula have the same bob: in a tick, the last one moves it."""
-    return len({id(pend["objects"][1]) for pend in pend_list}) == len(pend_list)
-
-
 def many_ticks(cradle: Cradle, hits: Hits, ticks: int, names: dict[str, Any]) -> None:
     """Do `ticks` ticks with the constants among these names.
 

@@ -65,19 +65,8 @@ class Player:
         self.step = max(1, round(step_seconds / cradle.dt))  # ticks from sample to sample
         self.last_frame = perf_counter()  # s: when the last frame began
         self.is_over = False  # whether the simulation has ended
-        # This run.
-        self.names: dict[str, Any] = {}  # of the program
         self.run_count = 0  # runs that have begun
-        self.is_shown = False  # whether the run has shown its cradle
-        self.is_fast = False  # whether the fast path can do its ticks
-        self.is_preview = False  # whether it shows only the functions that are written
-        self.remarks: list[str] = []  # what there is to say about it
-        # The ticks of this frame.
-        self.planned: float = 0  # those that are in no batch yet
-        self.deadline = inf  # the time on the pace's clock at which no more of them begin
-        # The ticks of a batch.
-        self.is_in_batch = False
-        self.due: float = 0  # those that the loop must still do
+        self.names: dict[str, Any] = {}  # of the program
 
     # --- for a kind of player ------------------------------------------------------------------
 
@@ -137,19 +126,15 @@ class Player:
         """Get ready for the next run, and take away what the last one has shown."""
         self.run_count += 1
         self.next_cradle.is_wanted = False
-        self.is_shown = False
-        self.is_preview = False
+        self.is_shown = False  # whether the run has shown its cradle
+        self.is_preview = False  # whether it shows only the functions that are written
+        self.remarks: list[str] = []  # what there is to say about it
+        self.planned = 0  # the ticks of this frame that are in no batch yet
         self.is_in_batch = False
-        self.planned = 0
-        self.due = 0
-        self.remarks = []
+        self.due = 0  # the ticks of a batch that the loop must still do
         self.hits.stop()
         self.cradle.pend_list = []
         discard_all(but=self.own_shapes())
-
-    def note(self, remark: str) -> None:
-        if remark not in self.remarks:
-            self.remarks.append(remark)
 
     def show(self, pend_list: list[Pendulum]) -> None:
         """Take and release a new cradle, the program's list.
@@ -169,7 +154,7 @@ class Player:
             cradle.release(settings.angles, settings.lifted)
         self.is_shown = True
         self.note_set_by_program(settings.csv)
-        self.look_at_functions()
+        self.is_fast = FAST_PATH and FAST_PATH.is_shipped(self.names)
         self.hits.listen()
         self.motion.restart()
         self.show_new_cradle()
@@ -181,14 +166,8 @@ class Player:
         """
         self.cradle.set_by_program = [] if self.is_preview else self.cradle.differences_from(csv)
         if self.cradle.set_by_program and str(csv.filepath) != constants.NC_FP:
-            self.note(
-                f"The program does not take {' and '.join(self.cradle.set_by_program)} from NC_FP."
-            )
-
-    def look_at_functions(self) -> None:
-        """Find out whether the fast path can do the ticks."""
-        is_shipped = FAST_PATH and FAST_PATH.is_shipped(self.names)
-        self.is_fast = is_shipped and FAST_PATH.have_own_bobs(self.cradle.pend_list)
+            set_by_program = " and ".join(self.cradle.set_by_program)
+            self.remarks.append(f"The program does not take {set_by_program} from NC_FP.")
 
     # --- for the loop --------------------------------------------------------------------------
 
@@ -295,8 +274,6 @@ def run_once(file: Path, player: Player) -> None:
 
 def run_or_preview(file: Path, player: Player) -> None:
     """Run a program; while functions are missing, show what there is."""
-    player.names = {}
-    player.cradle.find_functions(player.names)
     program = main_module(file)
     player.names = vars(program)
     try:
@@ -308,4 +285,4 @@ def run_or_preview(file: Path, player: Player) -> None:
         raise UnwrittenError(*missing_in(unwritten))
     player.begin()
     player.is_preview = True
-    simulation.run(partial(preview, player.names, unwritten, player.note), player)
+    simulation.run(partial(preview, player.names, unwritten, player.remarks), player)

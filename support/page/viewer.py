@@ -293,7 +293,7 @@ class Viewer(Player):
         """Show a new cradle. The first one starts when a tab has drawn it: you see the release."""
         cradle = self.cradle
         if cradle.cord_count == 2 and cradle.collide_name == "handle_two_bobs":
-            self.note(UPPER_ONLY)
+            self.remarks.append(UPPER_ONLY)
         self.held_bob.let_go()
         if not self.lesson.repeats:  # a film has the whole lesson
             self.tabs.begin_film()

@@ -36,30 +36,18 @@ class OneLineParser(argparse.ArgumentParser):
         refuse(f"{self.prog}: error: {message} (--help shows all options)")
 
 
-def number(least: float, most: float, unit: str = "") -> Callable[[str], float]:
-    """Return a type for argparse: a number from least to most."""
+def number(least: float, most: float, unit: str = "", kind: type = float) -> Callable:
+    """Return a type for argparse: a number from least to most, of this kind (float or int)."""
 
     def convert(text: str) -> float:
         value = to_number(text)
-        if not least <= value <= most:
-            allowed = f"a number from {least:g} to {most:g}"
+        if not least <= value <= most or value != kind(value):
+            words = "a whole number" if kind is int else "a number"
+            allowed = f"{words} from {least:g} to {most:g}"
             if unit:
                 allowed += f" ({unit})"
             raise argparse.ArgumentTypeError(found(text, allowed))
-        return value
-
-    return convert
-
-
-def whole_number(least: int, most: int) -> Callable[[str], int]:
-    """Return a type for argparse: a whole number from least to most."""
-
-    def convert(text: str) -> int:
-        value = to_number(text)
-        if not least <= value <= most or value != int(value):
-            allowed = f"a whole number from {least} to {most}"
-            raise argparse.ArgumentTypeError(found(text, allowed))
-        return int(value)
+        return kind(value)
 
     return convert
 
@@ -114,7 +102,7 @@ def cradle_options(description: str) -> OneLineParser:
     )
     add("--angle", type=number(0, 180, "degrees"), metavar="DEGREES", help=text)
     text = "number of lifted bobs, from the left (default: 1)"
-    add("--lift", type=whole_number(0, MOST_PENDULA), metavar="K", help=text)
+    add("--lift", type=number(0, MOST_PENDULA, kind=int), metavar="K", help=text)
     text = "file of an experiment, to begin with it in place of the CSV"
     add("--experiment", type=Path, metavar="FILE", help=text)
     return parser
@@ -151,7 +139,7 @@ def page_options(description: str) -> OneLineParser:
     add("--ghosts", metavar="FILE", help=text)
     text = "port of the page (default: any free one)"
     port = os.environ.get(PORT_VARIABLE) or "0"
-    add("--port", type=whole_number(0, 65535), metavar="N", default=port, help=text)
+    add("--port", type=number(0, 65535, kind=int), metavar="N", default=port, help=text)
     text = (
         "address at which the page is served; "
         "0.0.0.0 lets other machines open it, as in a container "

@@ -4,7 +4,6 @@ A function that is not written yet raises a NotImplementedError.
 """
 
 from collections import ChainMap
-from collections.abc import Callable
 from importlib import import_module
 from traceback import extract_tb
 from typing import Any
@@ -27,10 +26,8 @@ class UnwrittenError(NotImplementedError):
         super().__init__(f"There is no cradle to see yet. Write next: {name} ({place}).")
 
 
-def preview(
-    names: dict[str, Any], error: NotImplementedError, note: Callable[[str], object]
-) -> None:
-    """Show the cradle with the functions that are written; note(words) gets the next one.
+def preview(names: dict[str, Any], error: NotImplementedError, remarks: list[str]) -> None:
+    """Show the cradle with the functions that are written; the next one goes into remarks.
 
     names are those of the program, which has raised this error. Raises an UnwrittenError if there
     is no cradle yet, and the error if it comes from an import.
@@ -57,7 +54,7 @@ def preview(
         calls = [("newton_cradle_tick", pend_list, R_PARAM, DT, G)]
         sight = "Here, newton_cradle_tick moves all pendula. If it does not, type pytest."
     name, place = written.next()
-    note(f"Write next: {name} ({place}). {sight}")
+    remarks.append(f"Write next: {name} ({place}). {sight}")
     while is_running(pend_list):
         for function, *arguments in calls:
             written.functions[function](*arguments)

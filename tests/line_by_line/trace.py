@@ -20,10 +20,8 @@ from line_by_line.words import Words
 MOST_EVENTS = 10_000  # lines that are watched
 MOST_ELEMENTS = 50  # of a list that are looked at
 DEPTH = 3  # of what a name reaches: a list, a dictionary in it, its value
-DEEPER = 100  # calls within each other that tracing needs
-DEFINITIONS = ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda
+DEFINITIONS = ast.FunctionDef, ast.ClassDef
 ASSIGNMENTS = ast.Assign, ast.AugAssign, ast.AnnAssign
-BLOCKS = ast.stmt, ast.excepthandler, ast.match_case  # parts of a statement that hold others
 # Statements that are no rows: they give nothing.
 SILENT = *DEFINITIONS, ast.Import, ast.ImportFrom, ast.Global, ast.Nonlocal, ast.Pass, ast.Try
 CONDITIONAL = ast.If, ast.While
@@ -121,8 +119,6 @@ class Trace:
         self.events = 0
         self.error = None
         before = sys.gettrace()
-        depth = sys.getrecursionlimit()
-        sys.setrecursionlimit(depth + DEEPER)
         sys.settrace(self)
         try:
             yield
@@ -135,7 +131,6 @@ class Trace:
             raise
         finally:
             sys.settrace(before)
-            sys.setrecursionlimit(depth)
 
     @property
     def calls(self) -> list[Call]:
@@ -428,12 +423,11 @@ def lines_of(block: Any) -> dict[int, ast.stmt]:
 
 
 def end_of_head(node: Any) -> int:
-    """Return the last line of a statement; of a loop, an if or a match, that of its head."""
-    inner = [part for part in ast.iter_child_nodes(node) if not isinstance(part, BLOCKS)]
-    if len(inner) == len([*ast.iter_child_nodes(node)]):
+    """Return the last line of a statement; of a loop or an if, that of its head."""
+    if not hasattr(node, "body"):
         return node.end_lineno
-    parts = [part for head in inner for part in ast.walk(head)]
-    return max(getattr(part, "end_lineno", node.lineno) for part in parts)
+    head = getattr(node, "test", getattr(node, "iter", None))
+    return head.end_lineno if head else node.lineno
 
 
 def is_silent(node: ast.stmt) -> bool:

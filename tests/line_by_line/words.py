@@ -108,12 +108,9 @@ class Words(Repr):
 
     def repr_instance(self, value: Any, level: int) -> str:
         """Return the text of an object, or its attributes if it has none of its own."""
-        try:
-            text = " ".join(repr(value).split())
-        except Exception:
-            return f"a {type(value).__name__} that has no text"
+        text = " ".join(super().repr_instance(value, level).split())
         if " at 0x" not in text:
-            return text[: self.maxother]
+            return text
         if level < self.maxlevel or not hasattr(value, "__dict__"):
             return self.form_of(value)
         parts = [f"{name}={self.repr1(part, level - 1)}" for name, part in vars(value).items()]
@@ -131,8 +128,7 @@ class Words(Repr):
         if isinstance(value, type):
             return f"the class {value.__name__}"
         if isinstance(value, CALLABLE):
-            name = value.__name__
-            return "a lambda" if name == "<lambda>" else f"{name}, not called"
+            return f"{value.__name__}, not called"
         if isinstance(value, str) and (os.path.isabs(value) or os.path.isfile(value)):
             return f"the path of {os.path.basename(value)}"
         text = self.text_of(value)

@@ -99,10 +99,3 @@ def test_each_kind_of_watching_is_noticed(name, value, monkeypatch):
     assert not module.is_watched()
     monkeypatch.setattr(sys, name, value, raising=False)
     assert module.is_watched()
-
-
-def test_a_bob_of_two_pendula_hinders_the_fast_path(swing, write, monkeypatch):
-    monkeypatch.setattr(module, "is_shipped", lambda names: True)
-    assert swing().is_fast
-    write("make_newton_cradle", "pend_list[1]['objects'] = pend_list[0]['objects']")
-    assert not swing().is_fast

@@ -115,6 +115,6 @@ def test_changed_constants_are_named(rig):
 
 
 def test_remarks_on_the_run_are_shown(rig):
-    rig.viewer.note("It differs.")
+    rig.viewer.remarks.append("It differs.")
     rig.wait()
     assert rig.state["remark"] == "It differs."
