@@ -7,6 +7,7 @@ from importlib import import_module
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+from support.columns import CHECKED, SETTABLE
 from support.cradle.cradle import Cradle
 from support.files.experiments import COLORS
 from support.files.valid_cradle import numbers_in, with_numbers
@@ -14,9 +15,6 @@ from support.page.chooser import Chooser
 from support.page.names import State
 from support.pendulum import angle_to_outwards, outwards_to_angle
 from support.start.mistake import MistakeError, report_mistake
-
-# The least and the largest number that you can type
-LIMITS = {"mass": (0.001, 1000), "e": (0, 1)}
 
 
 class CradleEditor:
@@ -84,9 +82,8 @@ class CradleEditor:
         """Let the program make the cradle with this number in its table, if that is allowed."""
         csv = self.next_cradle.settings.csv
         numbers = numbers_in(csv, column)
-        least, most = LIMITS[column]
         is_there = row < len(numbers)  # you may type faster than the page shows a new table
-        if is_there and least <= number <= most and self.can_change(column):
+        if is_there and CHECKED[column].allows(f"{number}") and self.can_change(column):
             numbers[row] = number
             self.change(csv=with_numbers(csv, {column: numbers}))
 
@@ -121,10 +118,11 @@ class CradleEditor:
         """Return the table of the pendula, and the answer to the last save_csv."""
         columns = []
         cells = []
-        for key in (*LIMITS, *self.motion_keys):
-            limits = LIMITS.get(key) if self.can_change(key) else None
+        for key in (*SETTABLE, *self.motion_keys):
+            can_change = key in SETTABLE and self.can_change(key)
+            limits = CHECKED[key].limits if can_change else None
             numbers = self.cradle.shown(key)
-            places = "" if key in LIMITS else ".6f"
+            places = "" if key in SETTABLE else ".6f"
             columns.append((key, limits, len(numbers)))
             cells.append(["?" if number is None else f"{number:{places}}" for number in numbers])
         return {"columns": columns, "cells": cells, "saved_csv": self.saved}

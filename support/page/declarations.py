@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any
 
+from support.columns import SETTABLE
 from support.cradle.cradle import COUNT, Cradle
 from support.page.chooser import Chooser
 from support.page.controls import (
@@ -21,7 +22,7 @@ from support.page.controls import (
     Slider,
     Switch,
 )
-from support.page.cradle_editor import CradleEditor, LIMITS
+from support.page.cradle_editor import CradleEditor
 from support.page.ghost_file import GhostFile
 from support.page.graph import Graph
 from support.page.lesson import Lesson
@@ -223,7 +224,7 @@ def commands(
         "repeat": Command(lesson.repeat),
         "answer": Command(lesson.answer, (is_text, is_count)),
         "check": Command(unknown.check, (is_text,)),
-        "edit": Command(editor.edit, (is_count, lambda name: name in [*LIMITS], is_number)),
+        "edit": Command(editor.edit, (is_count, lambda name: name in SETTABLE, is_number)),
         "save_csv": Command(editor.save_csv, (is_number,)),
         "grab": Command(grab, (is_point, is_direction)),
         "drag": Command(drag, (is_point, is_direction)),
