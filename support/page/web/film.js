@@ -24,9 +24,10 @@ let speed = 1; // times real time
 
 // Your answers, by the state of the question that asks for them; null is none. All pictures share
 // them, so questions.js and marks.js find yours in each picture.
-const replies = { asked: null, seen: null };
+const replies = {};
 const states = []; // of the question, in each picture: one that is no key above never waits
 for (const { state: { question } } of pictures) {
+  Object.assign(replies, question?.replies);
   if (question) question.replies = replies;
   states.push(question === undefined ? states.at(-1) : question?.state);
 }
@@ -38,7 +39,7 @@ const commands = {
   },
   step: () => jump(current + 1),
   restart() {
-    replies.asked = replies.seen = null;
+    forgetReplies();
     jump(0);
     setRunning(!state.paused);
   },
@@ -55,6 +56,7 @@ const commands = {
 };
 setSender(([name, ...values]) => commands[name]?.(...values));
 slider.max = pictures[last].time;
+forgetReplies();
 jump(0);
 setRunning(!matchMedia("(prefers-reduced-motion)").matches && !state.unknown);
 requestAnimationFrame(play);
@@ -76,6 +78,10 @@ async function drawTexture(canvas) {
   Object.assign(canvas, { width: picture.width, height: picture.height });
   canvas.getContext("2d").drawImage(picture, 0, 0);
   canvas.onload();
+}
+
+function forgetReplies() {
+  for (const state in replies) replies[state] = null;
 }
 
 // Return whether a picture waits for your answer.

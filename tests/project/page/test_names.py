@@ -4,6 +4,7 @@ import re
 
 import pytest
 
+from support.page.lesson import ASKED, EXPLAINED, SEEN
 from support.page.names import COMMANDS, Texts, VALUES
 from support.page.server.web_files import PAGE, WEB
 
@@ -48,6 +49,11 @@ def test_each_control_that_the_page_knows_is_declared_and_each_has_its_place(rig
     assert known <= {*controls}
     places = {control["place"] for name, control in controls.items() if name != "experiment"}
     assert places == in_the_page("place")
+
+
+def test_each_state_of_the_lesson_that_the_page_knows_is_declared():
+    known = in_scripts(r"replies\.(\w+)") | in_scripts(r'state === "(\w+)"')
+    assert known == {ASKED, SEEN, EXPLAINED}
 
 
 def test_no_script_makes_elements_of_a_text():
