@@ -238,16 +238,6 @@ def test_the_cradle_is_made():
         thetas = [theta for _, theta in swings(1)]  # a loop with rate may do a tick before it
         return any(same(found, [(theta, cord), *others]) for theta in thetas)
 
-    advice = [
-        (
-            lambda _: abs(THETA_INIT) > 2 * pi,
-            f"THETA_INIT is {THETA_INIT:g} radians. Is it in degrees?",
-        ),
-        (
-            lambda _: DT > 0.001,
-            f"DT is {DT:g} s. Such long ticks are not exact, and bobs pass through each other.",
-        ),
-    ]
     thetas_and_cords = (
         f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"
     )
@@ -257,7 +247,6 @@ def test_the_cradle_is_made():
         expected=Expected(thetas_and_cords, is_made),
         see=see,
         what=Subject("theta and cord length of each pendulum"),
-        advice=advice,
         results=[([], "No loop with a cradle has called is_running, or rate.")],
     )
 

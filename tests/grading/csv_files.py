@@ -30,10 +30,6 @@ SEVEN = [
     HEAVY,
 ]
 ONE = {"mass": 3.0, "e": 0.5, "theta": 0.1, "omega": 0.2, "color": "green", "texture": "rug"}
-ASSISTANTS = [
-    {"name": "Ada", "year": 2, "house": "Page"},
-    {"name": "Grace", "year": 4, "house": "Lloyd"},
-]
 # All names and values of COLOR_MAP and TEXTURE_MAP, and rows with them, whose columns are in
 # another order.
 COLORS_AND_TEXTURES = [*islice(zip(cycle(COLOR_MAP.items()), cycle(TEXTURE_MAP.items())), 40)]
@@ -46,7 +42,6 @@ FILES = {
     "seven.csv": csv_of(SEVEN),  # no line break at the end
     "one.csv": csv_of([ONE]),
     "none.csv": f"{','.join(ONE)}\n",
-    "assistants.csv": csv_of(ASSISTANTS),
     "many.csv": csv_of(MANY),
 }
 

@@ -91,7 +91,6 @@ class Performance:
     check: Check
     trace: Trace | None = None
     goes_on: bool = False  # after wrong calls
-    advice: list[str] = field(default_factory=list)  # for a student whose solution is right
     errors: list[WrongError] = field(default_factory=list)  # the wrong calls
     stand_ins: dict[str, Callable] = field(default_factory=dict)  # by function
     called: set[str] = field(default_factory=set)  # the functions whose stand-in was called
@@ -117,10 +116,8 @@ class Grader:
         """Return the checks of a function."""
         return [check for check in self.checks.values() if check.function == function]
 
-    def perform(
-        self, check: Check, trace: Trace | None = None, goes_on: bool = False
-    ) -> Performance:
-        """Let a check call the student's functions, within limits; return what is known of it.
+    def perform(self, check: Check, trace: Trace | None = None, goes_on: bool = False) -> None:
+        """Let a check call the student's functions, within limits.
 
         Raise a WrongError or a WaitError. If the function has not called each stand-in, and has not
         stopped by itself, raise a WaitError: nobody knows whether it is right. If it goes on after
@@ -145,7 +142,6 @@ class Grader:
             raise WaitError(NOT_CALLED)
         if wrong:
             raise wrong
-        return performance
 
     def run(self, call: Call, arguments: tuple, expected_line: tuple[str, Any]) -> Any:
         """Return the result of a student's function.
@@ -199,7 +195,6 @@ def expect(
     see      returns the value to compare, from the result or the arguments; else the result
     what     what this value is
     results  pairs of a wrong result, or a test of it, and a hint
-    advice   pairs of a test of a right result, and a sentence
     """
     grader = running.get()
     arguments = own_copies(arguments)
@@ -226,7 +221,6 @@ def compared(
     see: Callable | None = None,
     what: What | None = None,
     results: Iterable[tuple[Any, str]] = (),
-    advice: Iterable[tuple[Any, str]] = (),
 ) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
@@ -254,9 +248,6 @@ def compared(
         wrong = WrongError(mistake, call, lines, hint, result=result)
         wrong.is_exchanged = is_exchanged(found, expected)
         raise wrong
-    for test, sentence in advice:
-        if fits(found, test):
-            grader.performance.advice.append(sentence)
     return result
 
 

@@ -26,7 +26,6 @@ class Outcome(NamedTuple):
     # A file of the student's, and the line at which Python stopped: where the function is not
     # written yet, or is wrong
     place: str = ""
-    advice: str = ""  # about a right solution
     waits_for: str = ""  # the functions, or the file, that are wrong
     broken_file: str = ""  # that Python cannot read, so that the check fails
     explanation: Explanation = Explanation([])
@@ -102,14 +101,14 @@ class Grading:
     def performed(self, check: Check) -> Outcome:
         """Return the outcome of a check that is performed now. Faults of the grader pass."""
         try:
-            performance = self.grader.perform(check)
+            self.grader.perform(check)
         except WrongError as error:
             return self.failed(check, error)
         except WaitError as error:
             if error.raised:
                 return self.broken_by(check, f"{error}", error.raised)
             return waiting(str(error), error.place)
-        return Outcome(PASSED, advice=" ".join(performance.advice))
+        return Outcome(PASSED)
 
     def failed(self, check: Check, error: WrongError) -> Outcome:
         """Return the outcome of a check that raised this WrongError.

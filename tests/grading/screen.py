@@ -11,7 +11,7 @@ from grading.assignment import HONOR
 from grading.explanation import Explanation
 from grading.grade import place_of_failure, Results
 from grading.messages import LABEL, labelled
-from grading.outcomes import FAILED, FAULT, PASSED, WAITING
+from grading.outcomes import FAILED, FAULT, WAITING
 from grading.words import plural
 from line_by_line.table import COLUMNS, fitting
 from support.root import ROOT
@@ -88,9 +88,7 @@ class Screen:
             if counts["points"] or counts["failed"]:
                 lines.append(Line(self.tier_line(tier, counts), color_of(counts)))
         lines += [Line(sentence, "bold") for sentence in self.verdict(graded)]
-        passed = [outcome for _, outcome in self.results.ran if outcome.state == PASSED]
-        notes = [*(outcome.advice for outcome in passed if outcome.advice), *self.notes]
-        for note in dict.fromkeys(notes):  # each once
+        for note in self.notes:
             indent = " " * 7
             lines += map(Line, wrap(f"Note:  {note}", self.columns, subsequent_indent=indent))
         if self.results.failed():

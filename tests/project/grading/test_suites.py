@@ -11,7 +11,7 @@ from right_solutions import PLAIN, RIGHT
 from wrong_solutions import WRONG
 
 from grading import comparing, grader
-from grading.assignment import FUNCTIONS, PROGRAM
+from grading.assignment import FUNCTIONS
 from grading.hints import ROWS
 from grading.outcomes import FAILED, PASSED, WAITING
 from grading.students_code import is_watched
@@ -107,28 +107,6 @@ def test_a_traced_function_does_what_it_does_untraced(solve, function, way):
     new_grading()
     for check in GRADER.checks_of(function):
         GRADER.perform(check, Trace(WORDS, lambda code: is_watched(code, function)))
-
-
-def advice_of(function):
-    outcomes = outcomes_of(function, users=False).values()
-    return [outcome.advice for outcome in outcomes if outcome.advice]
-
-
-def test_a_right_solution_with_a_trap_has_a_note(solve):
-    solve("extract_and_convert", RIGHT["extract_and_convert"]["the columns named"])
-    (advice,) = {*advice_of("extract_and_convert")}
-    assert advice.startswith("Your extract_and_convert does not convert a CSV with other columns.")
-
-
-@pytest.mark.parametrize(
-    ("name", "value", "words"),
-    [("THETA_INIT", 45, "THETA_INIT is 45 radians."), ("DT", 0.01, "DT is 0.01 s.")],
-)
-def test_a_constant_with_a_trap_has_a_note(monkeypatch, name, value, words):
-    monkeypatch.setattr(f"test_a.{name}", value)
-    monkeypatch.setattr(f"support.constants.{name}", value)
-    (advice,) = advice_of(PROGRAM)
-    assert advice.startswith(words)
 
 
 def test_two_mistakes_with_the_same_result_have_no_hint():
