@@ -81,13 +81,12 @@ def touching(*omegas: float, radius: float = R / 8) -> list[dict]:
 def ends_like(cord: Any, first: vector, last: vector) -> tuple[vector, vector]:
     """Return the ends of a cord, in the order of the two that are expected.
 
-    A student may draw it from either end. If one end is wrong, the other one finds its place.
+    A student may draw it from either end.
     """
     start = vector(cord.pos)
     end = start + cord.axis
-    in_order = min((start - first).mag, (end - last).mag)
-    turned = min((start - last).mag, (end - first).mag)
-    return (start, end) if in_order <= turned else (end, start)
+    is_turned = (start - last).mag < (start - first).mag
+    return (end, start) if is_turned else (start, end)
 
 
 def within(distance: float, value: float) -> Expected:

@@ -84,8 +84,7 @@ def wanted_in(error: WrongError) -> Wanted:
         found = None
     holder = holder_of(subject, error)
     key = subject.attribute or subject.key
-    ends = {"pos", "axis"} if key in ("pos", "axis") else {key}  # a cord may be drawn from its bob
-    keys = {(id(holder), end) for end in ends}
+    keys = {(id(holder), key), (id(holder), "axis")}  # a wrong axis puts an end at a wrong place
 
     def is_wrong(value: Any) -> bool:
         is_found = is_plain(found) and same(value, found)
@@ -93,7 +92,7 @@ def wanted_in(error: WrongError) -> Wanted:
         is_holder = subject.attribute and any(part is holder for part in parts)
         return bool(is_found or is_holder)
 
-    return Wanted(frozenset(keys), frozenset(ends), is_wrong)
+    return Wanted(frozenset(keys), frozenset({key}), is_wrong)
 
 
 def is_plain(value: Any) -> bool:
@@ -124,15 +123,9 @@ def holder_of(subject: Subject, error: WrongError) -> Any:
 def hint_for(error: WrongError, others: list[WrongError]) -> str:
     """Return what is known about a mistake, or "". others are all wrong calls of its check."""
     function = error.call.function
-    expected = FUNCTIONS[function].parameters.split(", ")
-    code = code_of(function)
-    found = [*code.co_varnames[: code.co_argcount]] if code else []
     twice = defined_twice(FUNCTIONS[function].file, function)
     if twice:
         return twice
-    is_refused = f"{function}() takes" in f"{error}"
-    if found != expected and (is_refused or sorted(found) == sorted(expected)):
-        return f"The def line has changed. It must be: def {function}({', '.join(expected)}):"
     hints = {other.hint for other in others if other.hint and not other.raised}
     if error.hint and hints <= {error.hint}:
         return error.hint

@@ -79,9 +79,6 @@ class Results:
             return place_of_failure(check, outcome)
         for function, place in self.unwritten().items():
             return f"{function} in {place}"
-        for check, outcome in self.ran:
-            if outcome.state == WAITING:
-                return f"{outcome.waits_for}, which {check.function} waits for"
         return ""
 
 

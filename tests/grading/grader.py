@@ -19,7 +19,6 @@ from grading.comparing import (
     is_exchanged,
     Mistake,
     mistake_in,
-    OTHER_FORM,
 )
 from grading.given import defined_twice
 from grading.limits import CLOCK, Limits
@@ -236,7 +235,7 @@ def compared(
     subject = what or result_of(returns)
     try:
         found = see(result) if see else result
-    except OTHER_FORM as error:
+    except Exception as error:  # the result has another form
         mistake = unreadable(error, subject, [result, *arguments])
         lines = [("came back", text_of(result)), expected_line] if returns else [expected_line]
         hint = hint_for_result(result, expected, results)

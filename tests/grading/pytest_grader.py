@@ -10,7 +10,6 @@ import pickle
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from shutil import get_terminal_size
 from typing import Any
 from unittest.mock import patch
 
@@ -175,8 +174,7 @@ def screen_of_run(config: pytest.Config) -> list[Line]:
     reporter = config.pluginmanager.get_plugin("terminalreporter")
     failed = getattr(reporter, "stats", {}).get("failed", [])
     printed = {name_of(failure): failure.capstdout for failure in failed}
-    screen = Screen(results, get_terminal_size().columns, changed_given())
-    return screen.lines(printed)
+    return Screen(results, changed_given()).lines(printed)
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)

@@ -96,8 +96,6 @@ def hint_about(
     error: BaseException, frames: list[tuple[FrameType, int]], function: str, limit: str
 ) -> str:
     """Return a hint about an error that stopped a function, or ""; limit is as in StoppedError."""
-    if isinstance(error, MemoryError):
-        return ""
     if limit:
         return ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
     if isinstance(error, SystemExit):

@@ -33,7 +33,6 @@ class Screen:
     """The screen about the results of a run."""
 
     results: Results
-    columns: int
     notes: list[str]  # about something else
 
     def lines(self, printed: dict[str, str]) -> list[Line]:
@@ -46,7 +45,7 @@ class Screen:
         if not failed:
             return [*self.unwritten_lines(), *end]
         check, outcome = failed[0]
-        title = Line(self.separator(place_of_failure(check, outcome), "_"), "red")
+        title = Line(separator(place_of_failure(check, outcome), "_"), "red")
         explanation = outcome.explanation
         above = explanation.wrong or outcome.message.split("\n")
         below = [*explanation.below, *self.others_line()]
@@ -71,26 +70,22 @@ class Screen:
         places = self.results.unwritten()
         if not places:
             return []
-        lines = [Line(self.separator("Not written yet", "="))]
+        lines = [Line(separator("Not written yet", "="))]
         lines += [Line(f"{function} in {place}", "yellow") for function, place in places.items()]
         function = next(iter(places))
         return [*lines, *map(Line, labelled("steps", f"{function} in ASSIGNMENT.md"))]
 
-    def separator(self, title: str, sign: str) -> str:
-        """Return a title with a line of signs on both sides."""
-        return f" {shorten(title, self.columns - 4)} ".center(self.columns, sign)
-
     def grade_lines(self) -> list[Line]:
         """Return the points of each tier that has begun, the grade, and the next step."""
         graded = self.results.grade()
-        lines = [Line(self.separator("Grade", "="))]
+        lines = [Line(separator("Grade", "="))]
         for tier, counts in graded["tiers"].items():
             if counts["points"] or counts["failed"]:
                 lines.append(Line(self.tier_line(tier, counts), color_of(counts)))
         lines += [Line(sentence, "bold") for sentence in self.verdict(graded)]
         for note in self.notes:
             indent = " " * 7
-            lines += map(Line, wrap(f"Note:  {note}", self.columns, subsequent_indent=indent))
+            lines += map(Line, wrap(f"Note:  {note}", COLUMNS, subsequent_indent=indent))
         if self.results.failed():
             return lines
         complete = [tier for tier, counts in graded["tiers"].items() if is_complete(counts)]
@@ -126,6 +121,11 @@ class Screen:
         text = f"{tier:<12}{counts['points']:>3} of {counts['of']} points{extra}"
         causes = [f"{count} {cause}" for cause, count in others.items() if count]
         return shorten(f"{text}: {', '.join(causes)}" if causes else text, COLUMNS)
+
+
+def separator(title: str, sign: str) -> str:
+    """Return a title with a line of signs on both sides."""
+    return f" {shorten(title, COLUMNS - 4)} ".center(COLUMNS, sign)
 
 
 def table_lines(explanation: Explanation, height: int) -> list[str]:

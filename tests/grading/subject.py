@@ -20,11 +20,8 @@ class Subject(NamedTuple):
     key: str = ""
     owner: str = ""
     list_index: int | None = None  # of the owner, if it is in a list
-    is_result: bool = False
 
     def __str__(self) -> str:
-        if self.is_result:
-            return RESULT
         whole = self.owner if self.list_index is None else f"{self.owner}[{self.list_index}]"
         return f"{self.key} of {whole}" if self.key and whole else self.key or whole
 
@@ -41,9 +38,8 @@ class Subject(NamedTuple):
         return ATTRIBUTES.get(word, word) if self.object_name else ""
 
     def element(self, i: int) -> "Subject":
-        """Return the subject of an element."""
-        is_list = not self.key and self.list_index is None
-        return Subject(owner=self.owner, list_index=i) if is_list else self
+        """Return the subject of an element, which has no name of its own."""
+        return self
 
     def value(self, key: str) -> "Subject":
         """Return the subject of the value of a key."""
@@ -91,5 +87,5 @@ def result_of(returns: str) -> What:
     """Return what a function returns, from the names of its parts."""
     names = returns.split(", ")
     if len(names) == 1:
-        return Subject(owner=returns, is_result=True)
+        return Each((), returns, RESULT)
     return Several(tuple(map(Subject, names)), RESULT)

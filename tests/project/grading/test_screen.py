@@ -40,7 +40,7 @@ LABELS = (
 def screen_of(outcomes, printed=""):
     """Return the lines of a screen about the outcomes of checks; those of others are passed."""
     outcomes = {check.name: outcome for check, outcome in outcomes.items()}
-    screen = Screen(Results(GRADER.checks, outcomes), COLUMNS, [])
+    screen = Screen(Results(GRADER.checks, outcomes), [])
     return [line.text for line in screen.lines(dict.fromkeys(outcomes, printed))]
 
 
