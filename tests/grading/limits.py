@@ -12,12 +12,15 @@ from contextlib import contextmanager, ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from traceback import walk_stack
+from types import FrameType
 from unittest.mock import patch
 
 from grading.raised import own_frames, place_at
 
 MEMORY_IN_USE = Path("/proc/self/statm")  # Linux has it; its sixth number counts the pages of data
 CLOCK, PROCESSOR = "clock", "processor"  # the time by which a function is stopped
+# Modules whose code runs while Python frees an object: an error in it is lost, with a warning
+CALLBACKS = "_weakrefset", "weakref"
 
 
 @dataclass
@@ -65,16 +68,16 @@ class Limits:
         if self.is_pressed:
             raise KeyboardInterrupt
 
-    def on_interrupt(self, *_: object) -> None:
+    def on_interrupt(self, _: int, frame: FrameType | None) -> None:
         """Raise a KeyboardInterrupt if the body runs: one that is over was in time."""
         if not self.stopped_by:
             self.is_pressed = True
-        if not self.over.is_set():
+        if not self.over.is_set() and module_of(frame) not in CALLBACKS:
             raise KeyboardInterrupt
 
     def refuse_input(self, *prompt: object) -> str:
         """Take the place of input."""
-        if sys._getframe(1).f_globals.get("__name__") == "cmd":  # the prompt of a debugger
+        if module_of(sys._getframe(1)) == "cmd":  # the prompt of a debugger
             self.is_debugged = True
             return self.answer(*prompt)
         raise EOFError("input() waits for somebody, but nobody answers in a check")
@@ -95,7 +98,7 @@ class Limits:
         """Interrupt the body; end pytest if a student's code goes on after it."""
         self.interrupt()
         if not self.over.wait(self.grace):
-            self.interrupt()  # Python loses the first one if it comes while it frees an object
+            self.interrupt()  # the first one is lost if it comes while Python frees an object
         while not self.over.wait(self.grace):
             frames = own_frames(walk_stack(sys._current_frames()[self.thread]))
             if frames:
@@ -118,6 +121,11 @@ class Limits:
         if self.stopped_by:
             return f"took longer than {self.patience:g} s"
         return ""
+
+
+def module_of(frame: FrameType | None) -> str:
+    """Return the name of the module whose code runs in a frame."""
+    return frame.f_globals.get("__name__", "") if frame else ""
 
 
 def is_debugged() -> bool:

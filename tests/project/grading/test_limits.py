@@ -65,7 +65,16 @@ if angle_update.calls == 2: {}
 return 1, 1"""
 
 
-@pytest.mark.parametrize("catches", ["{}", "try: {}\nexcept BaseException: pass", AGAIN])
+# Python loses an error in such a callback, and pytest warns of it
+FREED = """\
+import signal, weakref
+class Thing: pass
+weakref.finalize(Thing(), signal.raise_signal, 2)
+return 1, 1"""
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("catches", ["{}", "try: {}\nexcept BaseException: pass", AGAIN, FREED])
 def test_ctrl_c_ends_the_run_also_if_the_solution_catches_it(solve, catches):
     solve("angle_update", catches.format("__import__('signal').raise_signal(2)"))
     with pytest.raises(KeyboardInterrupt):

@@ -1,13 +1,9 @@
 """What students are handed: made, and graded as it is and with solutions."""
 
 import ast
-import os
 import re
-from pathlib import Path
-from unittest.mock import Mock
 
-import pytest
-from make_starter import is_left_out, make_starter
+from make_starter import is_left_out
 from programs import python, ROOT
 from students import change, COUNTS, graded_in, pytest_in, write
 
@@ -88,15 +84,6 @@ def test_a_file_or_a_folder_whose_name_begins_with_a_dot_is_left_out():
     Jupyter keeps whole solutions in such a folder.
     """
     assert all(map(is_left_out, ("._swinging.py", ".ipynb_checkpoints")))
-
-
-@pytest.mark.parametrize("place", ["deep/down/new", "."])
-def test_on_a_full_disk_nothing_is_left_of_it(tmp_path, monkeypatch, place):
-    """A folder that was there stays."""
-    monkeypatch.setattr(Path, "write_bytes", Mock(side_effect=[*[None] * 20, OSError]))
-    with pytest.raises(OSError):
-        make_starter(tmp_path / place)
-    assert os.listdir(tmp_path) == []
 
 
 # A student's functions that a file may call: the programs need it, or the handout itself does it.
