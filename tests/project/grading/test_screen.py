@@ -68,7 +68,7 @@ VERDICTS = [
         "Grade: none yet. For D: elastic_newton_cradle, 1 of 15 points missing.",
         "",
     ),
-    (SUITES, D, "Grade: none yet. For D: 6 functions, 15 of 15 points missing.", ""),
+    (SUITES, D[:3], "Grade: none yet. For D: 3 functions, 5 of 15 points missing.", ""),
     ("C", [], "Tier C is complete.", "visualize_cradle_run.py"),
 ]
 
