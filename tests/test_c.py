@@ -117,7 +117,7 @@ def test_angle_update_of_other_swings():
 
 
 # theta, omega, mass and e of pendula, and their omega and theta after 0.1 s with g = 10 m/s^2 and
-# cords of 0.5 m. The first one is there three times, and they are not sorted.
+# cords of 0.5 m. They are not sorted.
 SWINGING = [
     ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
     ((pi / 2, 0.0, 1.0, 0.25), (-2.0, pi / 2 - 0.2)),
@@ -126,9 +126,7 @@ SWINGING = [
     ((0.0, 0.0, 1.0, 0.5), (0.0, 0.0)),
     ((0.0, 4e-8, 3.0, 0.5), (4e-8, 4e-9)),
     ((7 * pi / 2, 20.0, 2.0, 0.5), (22.0, 7 * pi / 2 + 2.2)),
-    ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
     ((-5 * pi / 2, -5.0, 2.0, 0.5), (-3.0, -5 * pi / 2 - 0.3)),
-    ((pi / 6, 2.0, 2.0, 0.5), (1.0, pi / 6 + 0.1)),
 ]
 
 

@@ -7,19 +7,6 @@ HONOR = "Honor roll"
 SUITES = {"D": "test_d", "C": "test_c", "B": "test_b", "A": "test_a", HONOR: "test_honor_roll"}
 
 
-def highest(points: dict[str, int], most: dict[str, int]) -> str | None:
-    """Return the highest complete tier, with all tiers below it complete, or None.
-
-    points and most are numbers by tier.
-    """
-    highest_tier = None
-    for tier in SUITES:
-        if tier not in points or points[tier] != most[tier]:
-            break
-        highest_tier = tier
-    return highest_tier
-
-
 class Function(NamedTuple):
     """A function that students write."""
 

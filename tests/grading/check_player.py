@@ -13,7 +13,6 @@ class CheckPlayer:
         """ticks is the number of ticks of a run; change(pend_list) is called before the first."""
         self.ticks = ticks
         self.change = change
-        self.begin()
 
     def __repr__(self) -> str:
         return plural(self.ticks, "tick", "ticks")

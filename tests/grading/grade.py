@@ -2,7 +2,7 @@
 
 from collections import Counter
 
-from grading.assignment import highest, HONOR, SUITES
+from grading.assignment import HONOR, SUITES
 from grading.checks import Check
 from grading.outcomes import FAILED, FAULT, Outcome, PASSED, WAITING
 
@@ -34,9 +34,14 @@ class Results:
         complete, or None.
         """
         tiers = {}
+        grade = None
+        are_complete = True  # this tier, and all below it
         of = Counter(check.tier for check in self.checks.values())
         for tier in SUITES:
             states = Counter(outcome.state for check, outcome in self.ran if check.tier == tier)
+            are_complete = are_complete and states[PASSED] == of[tier]
+            if are_complete:
+                grade = tier
             if states:
                 tiers[tier] = {
                     "waiting": states[WAITING],
@@ -44,8 +49,7 @@ class Results:
                     "points": states[PASSED],
                     "of": of[tier],
                 }
-        points = {tier: counts["points"] for tier, counts in tiers.items()}
-        return {"tiers": tiers, "grade": highest(points, of), "next": self.next_step()}
+        return {"tiers": tiers, "grade": grade, "next": self.next_step()}
 
     def missing_for_a_letter(self, tiers: dict[str, dict]) -> str:
         """Return what the first tier lacks that is not complete, or "": the honor roll is extra."""

@@ -48,7 +48,7 @@ class Call(NamedTuple):
     """A call of a student's function; arguments has plain copies from before the call."""
 
     function: str
-    arguments: tuple | None = None  # None if the function was not found
+    arguments: tuple
     times: int = 1
 
     def lines(self, index: int = 0) -> list[str]:
@@ -57,8 +57,6 @@ class Call(NamedTuple):
         index is that of a pendulum that must be among those of a list.
         """
         function = FUNCTIONS[self.function]
-        if self.arguments is None:
-            return [f"{self.function}({function.parameters})"]
         arguments = []
         below = []
         if self.times > 1:
