@@ -158,8 +158,12 @@ class Cradle:
         return sum(motion.vx for motion in bob_motions(pend, R_PARAM)) / self.cord_count
 
     def approach(self, left: Pendulum, right: Pendulum) -> float:
-        """Return the speed (m/s) at which the bobs of two pendula approach each other."""
-        return self.velocity(left) - self.velocity(right)
+        """Return the speed (m/s) at which the bobs of two pendula approach each other.
+
+        Of double pendula, it is that of the upper or of the lower bobs, the larger one.
+        """
+        bobs = zip(bob_motions(left, R_PARAM), bob_motions(right, R_PARAM), strict=True)
+        return max(bob1.vx - bob2.vx for bob1, bob2 in bobs)
 
     def axles(self) -> list:
         return [pend["objects"][0] for pend in self.pend_list]

@@ -1,13 +1,7 @@
 """The double cradle of a program."""
 
-from math import inf
-
-from vpython import dot, mag, vector
-
-from support.constants import DOUBLE_DT, R_PARAM
+from support.constants import DOUBLE_DT
 from support.cradle.cradle import Cradle
-from support.energy import bob_motions
-from support.pendulum import Pendulum
 
 
 class DoubleCradle(Cradle):
@@ -25,18 +19,3 @@ class DoubleCradle(Cradle):
     tick_name = "double_cradle_tick"
     # The second one lets only the upper bobs collide.
     collide_names = ("handle_two_double_bobs", "handle_two_bobs")
-
-    def approach(self, left: Pendulum, right: Pendulum) -> float:
-        """Return the speed (m/s) at which the nearest two bobs of two pendula approach."""
-        nearest, speed = inf, 0.0
-        for bob1, motion1 in zip(left["objects"][1::2], bob_motions(left, R_PARAM), strict=True):
-            for bob2, motion2 in zip(
-                right["objects"][1::2], bob_motions(right, R_PARAM), strict=True
-            ):
-                apart = bob2.pos - bob1.pos
-                distance = mag(apart)
-                if distance < nearest:
-                    closer = vector(motion1.vx - motion2.vx, motion1.vy - motion2.vy, 0)
-                    # A bob in the other's place approaches nothing.
-                    nearest, speed = distance, dot(closer, apart) / (distance or 1.0)
-        return speed

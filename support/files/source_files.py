@@ -43,24 +43,17 @@ def main_module(file: Path) -> ModuleType:
 
 
 def run_file(module: ModuleType, code: CodeType | None = None) -> None:
-    """Run the file of a main module from its top, or this code; the module then has its names."""
-    outer = {name: sys.modules.get(name) for name in ("__main__", *BEGINNINGS)}
-    sys.modules["__main__"] = module
-    for beginning in BEGINNINGS:
-        sys.modules.setdefault(beginning, module)  # an import finds it, and runs nothing
+    """Run the file of a main module from its top, or this code; the module then has its names.
+
+    fresh_modules is around this.
+    """
+    main = sys.modules["__main__"]
+    for name in ("__main__", *BEGINNINGS):
+        sys.modules[name] = module  # an import of a beginning finds it, and runs nothing
     try:
         exec(code or code_of(str(module.__file__)), vars(module))
     finally:
-        put_back(outer)
-
-
-def put_back(modules: dict[str, ModuleType | None]) -> None:
-    """Let each name stand for its module again, or for none."""
-    for name, module in modules.items():
-        if module:
-            sys.modules[name] = module
-        else:
-            sys.modules.pop(name, None)
+        sys.modules["__main__"] = main
 
 
 def code_of(file: str) -> CodeType:
@@ -116,17 +109,12 @@ def fresh_modules() -> Iterator[None]:
 
 def source_modules() -> dict[str, ModuleType]:
     """Return the imported modules of src/, and of files beside it, but not the main one."""
-    return {
-        name: module
-        for name, module in [*sys.modules.items()]
-        if name != "__main__" and any(map(is_source_folder, folders_of(module)))
-    }
-
-
-def folders_of(module: ModuleType) -> list[str]:
-    """Return the folder of a module's file; of a package without a file, those that it is."""
-    file = getattr(module, "__file__", None)
-    return [os.path.dirname(file)] if file else [*getattr(module, "__path__", ())]
+    found = {}
+    for name, module in [*sys.modules.items()]:
+        file = getattr(module, "__file__", None)
+        if file and name != "__main__" and is_source_folder(os.path.dirname(file)):
+            found[name] = module
+    return found
 
 
 def forget(modules: dict[str, ModuleType]) -> None:
