@@ -97,8 +97,9 @@ def push_others(pend_list: list[Pendulum], held: int, r_param: float) -> bool:
 
 def touches_others(pend_list: list[Pendulum], index: int, r_param: float) -> bool:
     """Return whether a bob of this pendulum reaches into a bob of another one."""
-    others = pend_list[:index] + pend_list[index + 1 :]
-    return any(any(touching_angles(other, pend_list[index], r_param)) for other in others)
+    pend = pend_list[index]
+    others = [other for other in pend_list if other is not pend]
+    return any(any(touching_angles(other, pend, r_param)) for other in others)
 
 
 def give_way(pend: Pendulum, pusher: Pendulum, r_param: float) -> bool:

@@ -3,7 +3,7 @@
 import csv
 import sys
 from argparse import Namespace
-from contextlib import redirect_stdout
+from contextlib import nullcontext, redirect_stdout
 from math import degrees, inf, pi, remainder
 from pathlib import Path
 from typing import Any
@@ -122,22 +122,19 @@ def record(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -
 
     The name - stands for the output.
     """
-    if options.record == "-":
-        rows = csv.writer(sys.stdout, lineterminator="\n")
-        # Words are no data, also those of a student's function
-        with redirect_stdout(sys.stderr):
-            recorder = DataRecorder(cradle, settings, options, rows, progress=lambda done: None)
+    is_printed = options.record == "-"
+    target: Any = nullcontext(sys.stdout) if is_printed else whole_file(options.record)
+    # Words are no data, also those of a student's function
+    with redirect_stdout(sys.stderr if is_printed else sys.stdout):
+        with target as data, progress_bar() as progress:
+            rows = csv.writer(data, lineterminator="\n")
+            recorder = DataRecorder(cradle, settings, options, rows, progress)
             run_for_each_cradle(file, recorder)
-            print_remarks(recorder)
-        return
-    with whole_file(options.record) as data, progress_bar() as progress:
-        rows = csv.writer(data, lineterminator="\n")
-        recorder = DataRecorder(cradle, settings, options, rows, progress)
-        run_for_each_cradle(file, recorder)
-    print_remarks(recorder)
-    count = recorder.last // recorder.step + 1
-    end = f"{recorder.motion.time():.15g} s"
-    print(in_one_line(f"{count} rows, from t = 0 to {end}, are in {options.record}"))
+        print_remarks(recorder)
+    if not is_printed:
+        count = recorder.last // recorder.step + 1
+        end = f"{recorder.motion.time():.15g} s"
+        print(in_one_line(f"{count} rows, from t = 0 to {end}, are in {options.record}"))
 
 
 def print_remarks(player: Player) -> None:

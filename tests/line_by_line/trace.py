@@ -199,7 +199,9 @@ class Trace:
         """Keep what the last statement did; see what happens now."""
         previous = call.statements.get(call.line)
         statement = call.statements.get(call.frame.f_lineno)
-        if event == "line" and is_same(statement, call):
+        # It stays in a statement of several lines, or with a comprehension
+        is_same = statement and statement is previous and not hasattr(statement, "body")
+        if event == "line" and is_same:
             return
         if event == "exception":
             call.visit.error = argument[1]
@@ -299,8 +301,10 @@ class Trace:
         """Return the statements of a function, or of a module, by their lines."""
         if code not in self.known:
             tree = ast.parse("".join(linecache.getlines(code.co_filename)))
-            nodes = [node for node in ast.walk(tree) if is_node_of(node, code)]
-            self.known[code] = lines_of(min(nodes, key=line_of)) if nodes else {}
+            nodes: list = [tree]
+            if code.co_name != "<module>":
+                nodes = [node for node in ast.walk(tree) if begin_of(node) == code.co_firstlineno]
+            self.known[code] = lines_of(nodes[0]) if nodes else {}
         return self.known[code]
 
     def targets_of(self, statement: ast.stmt, call: Call) -> list[Key]:
@@ -358,15 +362,6 @@ class Sides(ast.NodeTransformer):
         return node
 
 
-def is_same(statement: ast.stmt | None, call: Call) -> bool:
-    """Return whether a call stays in a statement of several lines, or with a comprehension."""
-    if not statement or statement is not call.statements.get(call.line):
-        return False
-    turns = [part for part in ast.walk(statement) if isinstance(part, ast.comprehension)]
-    is_long = statement.end_lineno != statement.lineno or bool(turns)
-    return is_long and not hasattr(statement, "body")
-
-
 def truth_of(statement: ast.If | ast.While, call: Call) -> str:
     """Return the condition of a statement with values, and whether it is true: "2 < 1: False".
 
@@ -394,15 +389,11 @@ def quoted(key: Any) -> str:
     return f'"{key}"' if isinstance(key, str) else f"{key!r}"
 
 
-def is_node_of(node: ast.AST, code: CodeType) -> bool:
-    """Return whether a node can be the definition of a code: of a function, or of a module."""
-    if isinstance(node, ast.FunctionDef):  # decorators stand above its line
-        return node.name == code.co_name and node.lineno >= code.co_firstlineno
-    return isinstance(node, ast.Module) and code.co_name == "<module>"
-
-
-def line_of(node: Any) -> int:
-    return getattr(node, "lineno", 0)
+def begin_of(node: Any) -> int:
+    """Return the first line of a function, maybe that of a decorator; 0 if it is none."""
+    if not isinstance(node, ast.FunctionDef):
+        return 0
+    return min(part.lineno for part in (node, *node.decorator_list))
 
 
 def lines_of(block: Any) -> dict[int, ast.stmt]:

@@ -28,10 +28,13 @@ ROWS = {
      def __init__(self, n):  # Shelf.__init__(n=0.3)
       self.n = n  # self.n = 0.3
      def add(self, more):  # Shelf.add(more=a[1])
+      self.n = self.n  # self.n = 0.3
       self.n += 2  # self.n = 2.3
     def half(n): return n / 2""",
     "conditions": """\
      n = iter(a)  # n = a list_iterator
+     def unused():
+      return n
      if [1] in n:  # True
       n = 3  # n = 3
      if n < 3 or n:  # 3 < 3 or 3: True
@@ -39,7 +42,9 @@ ROWS = {
        n + 2)
      if not n < 5 and n < 5:  # not 5 < 5 and 5 < 5: False
       n = 1  # (never ran)
-     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]""",
+     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]
+     n = {}  # n = {}
+     n[7] = 7  # n[7] = 7""",
     "turns": """\
      for i in range(9):  # i = 0 | 1 | ... | 8
       put(a[i < 7], i)  # a[1][0] = 0 | a[1][0] = 1 | ... | a[1][0] = 6 | ... | a[0][0] = 8
