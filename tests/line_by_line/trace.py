@@ -101,7 +101,7 @@ class Trace:
         self.is_watched = is_watched
         self.is_named = is_named
         self.known: dict[CodeType, dict[int, ast.stmt]] = {}
-        self.all_calls: dict[FrameType, Call] = {}
+        self.all_calls: dict[Any, Call] = {}  # by their frames
         # Pairs of a function that is named, and not watched, and what it has given
         self.given: list[tuple[str, Any]] = []
         self.events = 0
@@ -169,7 +169,7 @@ class Trace:
         """A call begins: return whether it is looked at."""
         if frame in self.all_calls:  # a generator goes on
             return True
-        caller = self.all_calls.get(frame.f_back) if frame.f_back else None
+        caller = self.all_calls.get(frame.f_back)
         code = frame.f_code
         if code.co_name.startswith("<") and code.co_name != "<module>":  # it is in a statement
             return False
@@ -393,7 +393,8 @@ def begin_of(node: Any) -> int:
     """Return the first line of a function, maybe that of a decorator; 0 if it is none."""
     if not isinstance(node, ast.FunctionDef):
         return 0
-    return min(part.lineno for part in (node, *node.decorator_list))
+    parts: list[Any] = [node, *node.decorator_list]
+    return min(part.lineno for part in parts)
 
 
 def lines_of(block: Any) -> dict[int, ast.stmt]:
