@@ -29,7 +29,7 @@ RED = vector(1, 0, 0)
 
 
 def check_double_pendulum(
-    see, what, theta, phi, expected, cord=CORD, texture=textures.wood, **options
+    see, what, expected, theta=0.7, phi=0.4, cord=CORD, texture=textures.wood, **options
 ):
     """Check what see(objects) returns for a double pendulum; options are those of expect."""
     angles = f"the upper cord is at {theta:g}, and the lower one at {theta + phi:g}"
@@ -60,9 +60,9 @@ def test_a_double_pendulum_has_an_axle_two_bobs_and_two_cords():
     parts = "a tuple of axle, upper bob, upper cord, lower bob and lower cord"
     expected = Expected(parts, are_parts, like=(None,) * 5)
     order = "Five objects come back, in this order: axle, bob1, cord1, bob2, cord2."
-    check_double_pendulum(None, None, 0.7, 0.4, expected, help=order)
+    check_double_pendulum(None, None, expected, help=order)
     old = shapes()
-    check_double_pendulum(lambda objects: left_over(old, objects), theta=0.7, phi=0.4, **LEFT_OVER)
+    check_double_pendulum(lambda objects: left_over(old, objects), **LEFT_OVER)
 
 
 @check("make_double_pendulum")
@@ -91,7 +91,7 @@ def test_bobs_are_where_the_angles_say():
         expected = AXLE, AXLE + upper, AXLE + upper + lower
         right = [("bob1 - axle", upper), ("bob2 - bob1", lower)]
         right += zip(("bob1", "bob2"), expected[1:], strict=True)
-        check_double_pendulum(see, what, theta, phi, expected, cord, right=right)
+        check_double_pendulum(see, what, expected, theta, phi, cord, right=right)
 
 
 @check("make_double_pendulum")
@@ -114,7 +114,7 @@ def test_cords_hold_the_bobs():
         ),
         "ends of cord1, ends of cord2",
     )
-    check_double_pendulum(see, what, 0.7, 0.4, (AXLE, joint, joint, end))
+    check_double_pendulum(see, what, (AXLE, joint, joint, end))
 
 
 @check("make_double_pendulum")
@@ -134,7 +134,7 @@ def test_both_bobs_have_the_looks_that_are_given():
     radius = make_pendulum(AXLE, CORD, 0, RED, None)[1].radius
     for texture in (textures.wood, None):
         expected = (RED, texture, radius, True) * 2
-        check_double_pendulum(see, what, 0.7, 0.4, expected, texture=texture)
+        check_double_pendulum(see, what, expected, texture=texture)
 
 
 LENGTH = 0.5  # m

@@ -41,15 +41,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 @pytest.hookimpl(trylast=True)  # after that of the terminal
 def pytest_configure(config: pytest.Config) -> None:
-    grader = Grader(is_in_terminal(config), lambda line: end_now(config, line))
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    has_terminal = bool(reporter and reporter.isatty)
+    grader = Grader(has_terminal, lambda line: end_now(config, line))
     config.stash[GRADING] = Grading(grader)
     config.stash[RESULTS] = Results(grader.checks, {})
-
-
-def is_in_terminal(config: pytest.Config) -> bool:
-    """Return whether somebody can debug."""
-    reporter = config.pluginmanager.get_plugin("terminalreporter")
-    return bool(reporter and reporter.isatty)
 
 
 def end_now(config: pytest.Config, line: str) -> None:
@@ -107,7 +103,7 @@ class Item(pytest.Item):
 
 def name_of(report: Any) -> str:
     """Return the name of the test that a report is about."""
-    return f"{report.nodeid}".rpartition("::")[2]
+    return report.nodeid.rpartition("::")[2]
 
 
 def pytest_report_teststatus(report: Any, config: pytest.Config) -> tuple[str, str, str] | None:

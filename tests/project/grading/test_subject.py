@@ -5,6 +5,7 @@ from programs import slow_except
 from students import change, COLUMNS, pytest_in, write
 
 from grading.assignment import FUNCTIONS
+from grading.raised import StoppedError
 
 CIRCLE = "from src.visualize_cradle_run import handle_two_bobs"
 FILE = "src/swinging.py"
@@ -33,3 +34,9 @@ def test_of_a_file_that_python_cannot_read_pytest_says_this_and_the_grade(starte
     assert "C             0 of 6 points: 1 failed, 5 wait for src/swinging.py" in rows
     assert "A            12 of 12 points" in rows  # the other files are judged without it
     assert rows[-1].startswith("1 failed, ")
+
+
+def test_a_file_that_lacks_a_function_is_the_one_to_mend():
+    """The file that imports the function is right."""
+    error = ImportError("cannot import name 'angle_update' from 'src.swinging'")
+    assert StoppedError(error, "", "").culprit == FILE

@@ -67,7 +67,7 @@ SAID = {
         "with an average.": ("omega_new * dt", "(omega + omega_new) / 2 * dt"),
         "right values, in another order.": ("(omega_new, theta_new)", "theta_new, omega_new"),
         "omega_new is -0.223599, not 3. called": ("return (", "if g == 9.81: return 0, 0\n        if g == 10: return theta_new, omega_new\n        return ("),
-        "(2.000004, 2.8179938779": ("(omega_new,", "(omega_new + 4e-6,"),
+        "(2.000004, 2.81799387799149) expected": ("(omega_new,", "(omega_new + 4e-6,"),
         "input() waits": "input()",
         "This line ends": "import sys; sys.exit('the end')",
     },
