@@ -46,7 +46,7 @@ SAID = {
         "is None, not a dictionary.": "return [None]",
         "texture of bob[0] is": ("TEXTURE_MAP[pend['texture']]", "None"),
         "mass of pend_list[0] is 0.5,": ("for i in", "pend_list.sort(key=lambda pend: pend['mass'])\n        for i in"),
-        "theta of pend_list[6] is -2,": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
+        "theta of pend_list[4] is -2,": ("i == 0", "pend['mass'] == pend_list[0]['mass']"),
         "omega of pend_list[0] is 2,": ("pend['omega'] = 0", ""),
         "position of axle[0]": ("-0.1 + ", ""),
     },
