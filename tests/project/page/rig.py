@@ -91,12 +91,9 @@ class Rig:
         """Return pend[key] of each pendulum."""
         return self.cradle.values(key)
 
-    def thetas(self):
-        return self.values("theta")
-
     def bob_angles(self):
         """Return by how many degrees the bobs are raised, as whole numbers."""
-        return [round(abs(degrees(theta))) for theta in self.thetas()]
+        return [round(abs(degrees(theta))) for theta in self.values("theta")]
 
     def time(self):
         return float(self.state["motion"]["t"].split()[0])

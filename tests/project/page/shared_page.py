@@ -61,10 +61,6 @@ def whole(shared):
     return shared
 
 
-def wait_for_text(page, text):
-    page.get_by_text(text).wait_for()
-
-
 def edges(page, selector):
     """Return the edges of an element, in the window: left, top, right, bottom."""
     box = page.locator(selector).first.bounding_box()

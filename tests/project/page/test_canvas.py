@@ -17,7 +17,6 @@ from pages import (
     wait_for_throw,
 )
 from programs import wait_until
-from shared_page import wait_for_text
 
 from support.constants import R_PARAM
 from support.page.scene.scenery import TO_BASE
@@ -82,7 +81,7 @@ def test_a_browser_without_webgl_says_so(page, shared):
         };
     """)
     page.goto(shared.url)
-    wait_for_text(page, "This browser cannot draw the cradle (WebGL 2)")
+    page.get_by_text("This browser cannot draw the cradle (WebGL 2)").wait_for()
     pages.wait_for_moves(shared)
 
 
@@ -90,7 +89,7 @@ def test_the_canvas_says_what_it_shows_and_the_keys_are_listed(shared):
     words = re.compile("Newton's cradle: t,.* s.*energy,.* %, .*bob . at .* degrees (left|right)")
     shared.get_by_role("img", name=words).wait_for()
     press(shared, "Keys")
-    wait_for_text(shared, "answer a question")
+    shared.get_by_text("answer a question").wait_for()
     assert violations(shared) == {}
 
 

@@ -74,7 +74,7 @@ def test_an_experiment_with_another_number_of_bobs_is_changed(rig):
     assert rig.state["count"] == 5
     rig.save(HEADER + GOOD * 12)
     rig.give("count", 11)
-    assert len(rig.thetas()) == 11
+    assert len(rig.values("theta")) == 11
     assert rig.control("count")["max"] == 12  # the file has them
 
 
@@ -85,7 +85,7 @@ def test_the_programs_own_angle_holds_in_each_cradle(csv, write):
     rig.give("count", 3)
     for name, angles in ((TWO, [-pi / 4] * 2 + [0] * 3), (CSV, [-1, 0, 0])):
         rig.give("experiment", name)
-        assert rig.thetas() == pytest.approx(angles)
+        assert rig.values("theta") == pytest.approx(angles)
 
 
 def test_a_program_that_writes_your_csv_does_not_start_itself_again(csv, write):

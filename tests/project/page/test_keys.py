@@ -10,7 +10,6 @@ from pages import (
     wait_for_time,
 )
 from programs import wait_until
-from shared_page import wait_for_text
 
 
 def test_keys_control_the_cradle_and_do_not_scroll_the_page(shared):
@@ -33,7 +32,7 @@ def test_keys_control_the_cradle_and_do_not_scroll_the_page(shared):
     shared.keyboard.press("n")
     shared.wait_for_function("state.question")
     shared.keyboard.press("b")
-    wait_for_text(shared, "You said: B")
+    shared.get_by_text("You said: B").wait_for()
     assert violations(shared) == {}
 
 

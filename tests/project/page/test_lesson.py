@@ -65,7 +65,7 @@ def test_a_program_that_reads_another_file_does_not_end_the_page(asking, write, 
     asking.give("restart")
     asking.give("edit", 1, "mass", 2)
     asking.wait(0.1)
-    assert len(asking.thetas()) == 2
+    assert len(asking.values("theta")) == 2
     assert question_of(asking) is None
 
 

@@ -7,8 +7,6 @@ import pytest
 from pages import (
     new_page,
     open_cradle,
-    press,
-    readout,
     wait_for_cradle,
     wait_for_moves,
     wait_for_throw,
@@ -47,9 +45,6 @@ class Open:
             if (self.folder / name).read_text() != text:
                 (self.folder / name).write_text(text)
 
-    def wait_for_text(self, text):
-        self.page.get_by_text(text).wait_for()
-
     def mend(self):
         """Save the files as they were: the page shows no mistake any more, and swings."""
         self.save()
@@ -68,13 +63,6 @@ def opened(chromium, tmp_path_factory):
         yield Open(page, folder)
 
 
-RATE = """while True:
-        try:
-            rate(1 / DT)
-            newton_cradle_tick(pend_list, R_PARAM, DT, G)
-        except:
-            pass
-    while False:"""
 MISTAKES = {  # changes that end the motion, and what the page says
     "a mistake": (
         "NameError: name 'pull' is not defined (src/swinging.py, line 18: omega_new = omega - pull "
@@ -96,25 +84,15 @@ MISTAKES = {  # changes that end the motion, and what the page says
 def test_what_stops_the_cradle_is_named_and_the_next_save_goes_on(opened, name):
     words, *changes = MISTAKES[name]
     opened.save(*changes)
-    opened.wait_for_text(words)
+    opened.page.get_by_text(words).wait_for()
     opened.mend()
 
 
 def test_a_file_that_cannot_be_compiled_lets_the_cradle_swing_on(opened):
     opened.save((SWINGING, "- g *", "- g * ("))
-    opened.wait_for_text("Saved, but not run: src/swinging.py, line 18: '(' was never closed.")
+    words = "Saved, but not run: src/swinging.py, line 18: '(' was never closed."
+    opened.page.get_by_text(words).wait_for()
     wait_for_moves(opened.page)
-    opened.mend()
-
-
-def test_a_loop_that_catches_its_end_ends_all_the_same(opened):
-    opened.save(
-        (RUN, "from vpython import", "from vpython import rate,"),
-        (RUN, "while is_running(pend_list):", RATE),
-    )
-    wait_until(lambda: readout(opened.page, "t") > 1)
-    press(opened.page, "Restart")
-    wait_until(lambda: readout(opened.page, "t") < 1)
     opened.mend()
 
 

@@ -6,7 +6,6 @@ import pages
 import pytest
 from pages import press, violations
 from rig import Rig
-from shared_page import wait_for_text
 from students import put_files
 from whole_cradles import PERIOD
 
@@ -121,5 +120,5 @@ def test_a_value_for_a_hidden_mass_is_checked(shared):
     value = shared.get_by_label("mass of bob 1 =")
     value.fill("2.7")
     press(shared, "Check")
-    wait_for_text(shared, "Bob 2 gets the momentum that bob 1 loses")
+    shared.get_by_text("Bob 2 gets the momentum that bob 1 loses").wait_for()
     assert violations(shared) == {}
