@@ -43,7 +43,6 @@ class Limits:
 
     stopped_by = ""  # CLOCK or PROCESSOR if its limit has passed
     is_pressed = False  # somebody pressed Ctrl+C
-    is_debugged = False
 
     def __enter__(self) -> "Limits":
         self.over = threading.Event()

@@ -51,7 +51,7 @@ class Call(NamedTuple):
     arguments: tuple
     times: int = 1
 
-    def lines(self, index: int = 0) -> list[str]:
+    def lines(self, index: int) -> list[str]:
         """Return the call as text, and below it the values of pendula and files that it reads.
 
         index is that of a pendulum that must be among those of a list.
