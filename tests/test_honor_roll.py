@@ -29,7 +29,7 @@ RED = vector(1, 0, 0)
 
 
 def check_double_pendulum(
-    see, what, expected, theta=0.7, phi=0.4, cord=CORD, texture=textures.wood, **options
+    see, what, expected, theta=0.7, phi=0.4, texture=textures.wood, **options
 ):
     """Check what see(objects) returns for a double pendulum; options are those of expect."""
     angles = f"the upper cord is at {theta:g}, and the lower one at {theta + phi:g}"
@@ -37,7 +37,7 @@ def check_double_pendulum(
     expect(
         "make_double_pendulum",
         AXLE,
-        cord,
+        CORD,
         theta,
         phi,
         RED,
@@ -76,22 +76,21 @@ def test_bobs_are_where_the_angles_say():
     what = Several(
         (Subject("position", "axle"), Subject("position", "bob1"), Subject("position", "bob2"))
     )
-    # theta, phi, by hand the lower cord's angle from straight down, and the length of a cord (m)
-    for theta, phi, beta, cord in (
-        (0.7, 0.4, 1.1, CORD),
-        (0, 0, 0, CORD),
-        (0.6, -0.4, 0.2, CORD),
-        (-2.0, 3.0, 1.0, CORD),
-        (3.5, 1.0, 4.5, CORD),
-        (-7.0, -9.0, -16.0, CORD),
-        (0.7, 0.4, 1.1, 3 * CORD),
+    # theta, phi, and by hand the lower cord's angle from straight down
+    for theta, phi, beta in (
+        (0.7, 0.4, 1.1),
+        (0, 0, 0),
+        (0.6, -0.4, 0.2),
+        (-2.0, 3.0, 1.0),
+        (3.5, 1.0, 4.5),
+        (-7.0, -9.0, -16.0),
     ):
-        upper = arm(theta, cord)
-        lower = arm(beta, cord)
+        upper = arm(theta, CORD)
+        lower = arm(beta, CORD)
         expected = AXLE, AXLE + upper, AXLE + upper + lower
         right = [("bob1 - axle", upper), ("bob2 - bob1", lower)]
         right += zip(("bob1", "bob2"), expected[1:], strict=True)
-        check_double_pendulum(see, what, expected, theta, phi, cord, right=right)
+        check_double_pendulum(see, what, expected, theta, phi, right=right)
 
 
 @check("make_double_pendulum")
