@@ -16,7 +16,8 @@ import pytest
 from support.root import ROOT
 
 PROGRAM = ROOT / "src" / "visualize_cradle_run.py"
-SECONDS = 60  # a test waits for something at most this long
+SECONDS = 60  # a test waits for something at most this long,
+PROCESS_SECONDS = 10 * SECONDS  # and for a process, which a busy machine can slow down ten times
 # The environment of a program that imports modules of the tests
 OF_TESTS = {"PYTHONPATH": os.pathsep.join(sys.path)}
 # How a program ends: its status, and what it still prints.
@@ -52,14 +53,18 @@ def python(*arguments, folder=ROOT, **environment):
         env={**os.environ, **environment},
         capture_output=True,
         text=True,
-        timeout=2 * SECONDS,
+        timeout=PROCESS_SECONDS,
     )
+
+
+# Another test may just now let Python compile a file: this copy is renamed when it is whole
+half_written = shutil.ignore_patterns("*.pyc.*")
 
 
 def copy_project(folder, csv) -> Path:
     """Copy what the programs need, and this CSV, into a folder; return it."""
     for name in ("src", "support"):
-        shutil.copytree(ROOT / name, folder / name)
+        shutil.copytree(ROOT / name, folder / name, ignore=half_written)
     shutil.copy(ROOT / "pds_tester.py", folder)
     (folder / "newton_cradle_pends.csv").write_text(csv, encoding="utf-8")
     return folder
@@ -81,7 +86,7 @@ def running(
     *arguments,
     folder=os.sep,
     python=sys.executable,
-    patience=5 * SECONDS,
+    patience=PROCESS_SECONDS,
     **environment,
 ):
     """Start the program as a user would, from this folder; yield the process, and end it later.
@@ -124,7 +129,7 @@ def end(process):
 
     The output is what it has printed on stdout and on stderr.
     """
-    stdout, stderr = process.communicate(timeout=10 * SECONDS)  # a class, on a busy machine
+    stdout, stderr = process.communicate(timeout=PROCESS_SECONDS)
     return process.returncode, stdout, stderr
 
 

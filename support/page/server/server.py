@@ -66,6 +66,7 @@ class Server:
         self.tabs = Tabs(self.loop.call_soon_threadsafe)
         self.browser_start = BrowserStart()
         self.attendance = Attendance()
+        self.is_closing = False  # whether the program ends by itself
         ours = {"server": self}
         self.application = Application(
             [
@@ -105,6 +106,7 @@ class Server:
 
     def close(self) -> None:
         """Tell all tabs that the program has ended, wait until they have heard it, and stop."""
+        self.is_closing = True
         self.tabs.tell({"ended": True})
         self.loop.call_soon_threadsafe(self.close_tabs)
         end = time.monotonic() + FAREWELL
@@ -123,11 +125,19 @@ class Server:
         self.loop.call_later(LOOK, self.look)
         for tab in self.tabs.tabs:
             tab.update(self.tabs.all)
-            if not tab.speaks():
-                tab.send("")
+            tab.send("")
         if not self.tabs.are_gone and not self.attendance.look():
             self.tabs.are_gone = True
-            self.loop.call_later(LEAVE, stop_main)
+            self.loop.call_later(LEAVE, self.stop_main)
+
+    def stop_main(self) -> None:
+        """Stop the program as Ctrl+C does; not on Windows, if it waits for you in the terminal."""
+        if self.is_closing:
+            return
+        if hasattr(signal, "pthread_kill"):
+            signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
+        else:  # Windows
+            interrupt_main()
 
 
 class Guarded(RequestHandler):
@@ -210,7 +220,10 @@ class Socket(Guarded, WebSocketHandler):
 
     def open(self) -> None:
         self.set_nodelay(True)
-        self.tab = Tab(self.send, self.close, not self.has("key"), self.speaks)
+        connection: Any = self.ws_connection
+        self.stream = connection.stream
+        self.stream.write_to_fd = self.write_to_socket
+        self.tab = Tab(self.send, self.close, not self.has("key"))
         if not self.tab.follows:
             self.server.attendance.welcome()
             self.server.browser_start.delete_file()
@@ -220,12 +233,21 @@ class Socket(Guarded, WebSocketHandler):
         with suppress(WebSocketClosedError):
             self.write_message(message)
 
-    def speaks(self) -> bool:
-        """Return whether the browser has sent a message that is not yet read."""
-        connection: Any = self.ws_connection
+    def write_to_socket(self, data: memoryview) -> int:
+        """Write for Tornado; but let it first read what the browser has sent.
+
+        This can say that the browser closes the tab. If a write failed before it is read, the tab
+        would look like a cut connection.
+        """
+        if self.has_unread():
+            raise BlockingIOError  # Tornado reads, and then writes again
+        return self.stream.socket.send(data)
+
+    def has_unread(self) -> bool:
+        """Return whether the browser has sent something that is not yet read."""
         try:
-            return bool(connection.stream.socket.recv(1, socket.MSG_PEEK))
-        except (AttributeError, OSError):  # there is none, or the browser has gone
+            return bool(self.stream.socket.recv(1, socket.MSG_PEEK))
+        except OSError:  # there is nothing, or the browser has gone
             return False
 
     def on_message(self, message: str | bytes) -> None:
@@ -235,14 +257,6 @@ class Socket(Guarded, WebSocketHandler):
         self.server.tabs.close(self.tab)
         if not self.tab.follows:
             self.server.attendance.lose(is_cut=self.close_code != TAB_IS_CLOSED)
-
-
-def stop_main() -> None:
-    """Stop the program as Ctrl+C does; not on Windows, if it waits for you in the terminal."""
-    if hasattr(signal, "pthread_kill"):
-        signal.pthread_kill(threading.main_thread().ident or 0, signal.SIGINT)
-    else:  # Windows
-        interrupt_main()
 
 
 def report(loop: asyncio.AbstractEventLoop, context: dict[str, Any]) -> None:

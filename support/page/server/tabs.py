@@ -31,26 +31,18 @@ class Tab:
         send: Callable[[str], None],
         close: Callable[[], None] = lambda: None,
         follows: bool = False,
-        speaks: Callable[[], bool] = lambda: False,
     ):
-        """send sends a message, close ends the connection.
-
-        speaks() returns whether the tab has sent a message that is not yet read. It can say that
-        the browser closes the tab: so it is read first. To send to a closed tab would only look
-        like a cut connection.
-        """
+        """send sends a message, close ends the connection."""
         self.send = send
         self.close = close
         self.follows = follows
-        self.speaks = speaks
         self.delivered = 0  # the number of the last delivery that it has got
         self.allowance = MOST_UNSEEN  # messages that may still be sent
 
     def update(self, changes: Changes, at_once: bool = False) -> None:
         """Send all that the tab has not got yet, as soon as it can take a message, or at once."""
         is_behind = self.delivered < changes.number
-        can_take = self.allowance > 0 and not self.speaks()
-        if is_behind and (can_take or at_once):
+        if is_behind and (self.allowance > 0 or at_once):
             self.send(changes.message(self.delivered))
             self.delivered = changes.number
             self.allowance -= 1

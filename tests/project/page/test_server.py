@@ -7,6 +7,7 @@ import time
 from contextlib import suppress
 from importlib.machinery import PathFinder
 from pathlib import Path
+from threading import Barrier
 from types import SimpleNamespace
 from unittest import mock
 from urllib.parse import urlsplit
@@ -103,6 +104,26 @@ def test_a_tab_with_the_second_key_gets_all_and_commands_nothing(site):
         commands = site.server.tabs.commands
         for _, *values in iter(lambda: commands.get(timeout=programs.SECONDS), ["pause"]):
             assert not values  # a closed tab has let go
+
+
+def test_a_closed_tab_is_not_cut_although_the_program_still_writes(site):
+    """The browser says that it closes the tab. This is read before a write, which would fail."""
+    attendance = site.server.attendance
+    meet = Barrier(2, timeout=programs.SECONDS).wait
+    with mock.patch.object(attendance, "lose", wraps=attendance.lose) as lose:
+        tab = Tab(site)
+        stream = tab.socket.protocol.stream
+        site.server.tabs.tell({"title": "Not read"})
+        for _ in range(2):
+            site.server.loop.call_soon_threadsafe(meet)
+        site.server.tabs.tell({"title": "Too late"})
+        meet()  # the program has written, and stands still
+        tab.socket.close(1001)
+        stream.close()
+        meet()
+        programs.wait_until(lambda: lose.called)
+        tab.loop.close()
+    lose.assert_called_once_with(is_cut=False)
 
 
 def test_a_tab_that_would_fill_the_memory_is_cut_off(site):
