@@ -177,7 +177,7 @@ def laid_out(call: Call, line: int, values: str, calls: list[str]) -> list[str]:
     begin = f"{line:>{INDENT}}  {' ' * indent}"
     start, *more = below(code, begin, 1 if calls else MOST_CODE)
     column = INDENT + 2 + CODE
-    if len(start) > column or column + 2 + len(values) > COLUMNS:
+    if column + 2 + len(values) > COLUMNS:
         column = len(start)
     texts = [f"{start:<{column}}  {values}".rstrip()]
     if more or len(texts[0]) > COLUMNS:

@@ -40,17 +40,23 @@ ROWS = {
      if n < 3 or n:  # 3 < 3 or 3: True
       n = (  #! n = n + 2 n = 5
        n + 2)
+     w, x, y, z = 1, 2, 3, 4  # w = 1, x = 2, y = 3, ...
+     b = {}  # b = {}
+     b[0] = 7  # b[0] = 7
      if not n < 5 and n < 5:  # not 5 < 5 and 5 < 5: False
       n = 1  # (never ran)
-     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]
-     n = {}  # n = {}
-     n[7] = 7  # n[7] = 7""",
+     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]""",
     "turns": """\
+     one() or two()  #
      for i in range(9):  # i = 0 | 1 | ... | 8
       put(a[i < 7], i)  # a[1][0] = 0 | a[1][0] = 1 | ... | a[1][0] = 6 | ... | a[0][0] = 8
       n = 0  # n = 0, 9 times
     def put(b, i):  # put(b=a[1], i=6)
-     b[0] = i  # b[0] = 6""",
+     b[0] = i  # b[0] = 6
+    def one():  # one()
+     return 0  # gives 0
+    def two():
+     return 2""",
     "errors": """\
      try:
       n = 6 / 0  # stopped: ZeroDivisionError
@@ -128,10 +134,26 @@ def test_the_rows_say_what_each_line_did(name):
     assert " ".join(lines).split() == expected_words(ROWS[name])
 
 
-def test_left_out_are_helpers_then_what_is_not_like_the_wrong_value_from_the_middle():
-    rows = rows_in("values")
-    lines, _ = fitting(rows, 4)
-    assert [line[:8].strip() for line in lines] == ["2", "3", "", "5"]
+@pytest.mark.parametrize(
+    ("name", "height", "kept"),
+    [
+        ("values", 4, "2 3 5"),
+        ("conditions", 4, "2 12 14 15"),
+        ("turns", 5, "4 5 7"),
+        ("errors", 1, "6 8"),
+        ("functions", 1, ""),
+        ("functions", 4, "9 13"),
+    ],
+)
+def test_left_out_are_helpers_then_what_is_not_like_the_wrong_value_from_the_middle(
+    name, height, kept
+):
+    """What has set a wrong value, or has stopped, is never left out."""
+    lines, _ = fitting(rows_in(name), height)
+    assert re.findall(r"^ +(\d+)  ", "\n".join(lines), re.MULTILINE) == kept.split()
+
+
+def test_a_row_becomes_shorter_before_it_is_left_out():
     assert fitting([Row(["1", "2", "3"], 2)], 2) == (["1", "2 ..."], 0)
     assert fitting([Row(["1"], 1), Row(["2"], 0)], 0) == (["2"], 1)
 
