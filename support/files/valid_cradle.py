@@ -64,10 +64,9 @@ def require_columns(place: str, names: list[str]) -> None:
     for column in CHECKED:
         count = names.count(column)
         if count != 1:
-            columns = f"{count} columns" if count else "no column"
             all_names = in_short(", ".join(map(repr, names)))
             raise ValueError(
-                f"{place} must name the columns: found {columns} {column} in {all_names}; "
+                f"{place} must name the columns: found {count} columns {column} in {all_names}; "
                 f"a cradle needs one column of each of {', '.join(CHECKED)}"
             )
 
@@ -99,10 +98,7 @@ def with_numbers(csv: CradleCsv, numbers: Numbers) -> CradleCsv:
 
 def with_options(csv: CradleCsv, options: Namespace) -> CradleCsv:
     """Return the CSV with the mass (kg) and the e that options give to all pendula."""
-    e = options.e
-    if options.elastic or options.inelastic:
-        e = float(options.elastic)
-    given = {"mass": options.mass, "e": e}
+    given = {"mass": options.mass, "e": options.e}
     count = len(csv.pendula)
     return with_numbers(
         csv, {name: [value] * count for name, value in given.items() if value is not None}

@@ -24,7 +24,7 @@ CLOSED_VARIABLE = "VPYTHON_NO_LAUNCH_BROWSER"
 
 HTML_SECONDS = 10.0  # s
 EVERY = 0.01  # s from row to row of a recording, or the nearest whole number of ticks
-OF_THE_CSV = ("elastic", "inelastic", "e", "mass", "angle", "phi", "lift")
+OF_THE_CSV = ("e", "mass", "angle", "phi", "lift")
 # Options that bring their own cradles, and those that they exclude.
 EXCLUDED = {"experiment": OF_THE_CSV, "html_all": (*OF_THE_CSV, "experiment")}
 
@@ -89,9 +89,9 @@ def cradle_options(description: str) -> OneLineParser:
     add("csv", metavar="CSV", nargs="?", default=NC_FP, help=text)
     add_kind = parser.add_mutually_exclusive_group().add_argument
     text = "e = 1 for all pendula: a hit keeps the kinetic energy"
-    add_kind("--elastic", action="store_true", help=text)
+    add_kind("--elastic", action="store_const", const=1.0, dest="e", help=text)
     text = "e = 0 for all pendula: bobs stay together after a hit"
-    add_kind("--inelastic", action="store_true", help=text)
+    add_kind("--inelastic", action="store_const", const=0.0, dest="e", help=text)
     text = "one e, from 0 to 1, for all pendula (default: the CSV's)"
     add_kind("--e", type=number(0, 1), metavar="E", help=text)
     text = "one mass, in kg, for all pendula (default: the CSV's)"
@@ -170,7 +170,7 @@ def parse_page(parser: OneLineParser) -> argparse.Namespace:
 def read_page_options() -> argparse.Namespace:
     """Return the options of the page, from the command line.
 
-    They are csv, elastic, inelastic, e, mass, angle (rad), lift, port, host, browser, seconds, and
+    They are csv, e, mass, angle (rad), lift, port, host, browser, seconds, and
     the paths experiment, ghosts, html and html_all. None for e or mass keeps the values of the CSV.
     None for angle or lift keeps those of the program. None is no such file.
     """

@@ -55,8 +55,10 @@ theta = [-181, 0] | from -180 to 180
 phi = [1] | found [1]
 mass = [1, 9e-7] | from 0.001 to 1000
 name = ' ' | a text
+name = 5 | a text
 seconds = 1 | a name: found 'seconds', allowed is name, theta
 answers = {a = 0} | a table of 2 to 5
+answers = 5 | a table of 2 to 5
 answers = {a=1, b=1, c=1, d=1, e=1, f=1} | answers: found
 right = 'C' | found 'C', allowed is one of ['A', 'B']
 why = '{speed_3}' | found '{speed_3}', allowed is {energy}

@@ -42,10 +42,11 @@ ROWS = {
        n + 2)
      w, x, y, z = 1, 2, 3, 4  # w = 1, x = 2, y = 3, ...
      b = {}  # b = {}
-     b[0] = 7  # b[0] = 7
+     b[0] = half(14)  # b[0] = 7 half(n=14)
      if not n < 5 and n < 5:  # not 5 < 5 and 5 < 5: False
       n = 1  # (never ran)
-     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]""",
+     elif round(n) == a.pop(): n = 1  # 5 == a.pop(), a = [[1]]
+    def half(n): return n / 2""",
     "turns": """\
      one() or two()  #
      for i in range(9):  # i = 0 | 1 | ... | 8
