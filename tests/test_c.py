@@ -1,11 +1,8 @@
 """C checks: one pendulum swings, then all pendula swing."""
 
-if __name__ == "__main__":
-    from grading.begin import refuse_to_run
-
-    refuse_to_run()
-
 from math import pi, sin
+
+import grading.begin
 
 from vpython import vector
 

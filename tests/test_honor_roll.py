@@ -1,11 +1,8 @@
 """Honor roll checks: the objects of a double pendulum, and its swing."""
 
-if __name__ == "__main__":
-    from grading.begin import refuse_to_run
-
-    refuse_to_run()
-
 from math import pi
+
+import grading.begin
 
 from vpython import box, cylinder, sphere, textures, vector
 

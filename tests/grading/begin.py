@@ -14,8 +14,3 @@ require_python()
 
 import support.headless_vpython  # noqa: E402, F401
 from support.root import ROOT  # noqa: E402, F401
-
-
-def refuse_to_run() -> None:
-    """Say how checks are run, and exit with status 1."""
-    sys.exit("These are checks. Type pytest in this folder to run them.")
