@@ -68,10 +68,6 @@ class Changes:
                 drawing[maker] = drawing[maker] | drawing.pop(key)
         return {"drawing": drawing, "state": later(self.state, delivered)}
 
-    def message(self, delivered: int) -> str:
-        """Return the changes after the delivery with the number `delivered` as one message."""
-        return as_json(self.later(delivered))
-
 
 def as_json(found: object) -> str:
     """Return this as JSON; a student's number can be of any kind, and null if it is not finite."""

@@ -108,17 +108,14 @@ class Server:
         """Tell all tabs that the program has ended, wait until they have heard it, and stop."""
         self.is_closing = True
         self.tabs.tell({"ended": True})
-        self.loop.call_soon_threadsafe(self.close_tabs)
+        for tab in [*self.tabs.tabs]:
+            self.loop.call_soon_threadsafe(tab.close)
         end = time.monotonic() + FAREWELL
         while self.tabs.tabs and time.monotonic() < end:
             time.sleep(0.02)
         self.browser_start.delete_file()
         self.loop.call_soon_threadsafe(self.loop.stop)
         self.thread.join()
-
-    def close_tabs(self) -> None:
-        for tab in [*self.tabs.tabs]:
-            tab.close()
 
     def look(self) -> None:
         """Send each tab a sign of life; end the program when no tab may still come."""

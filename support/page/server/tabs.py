@@ -11,7 +11,7 @@ from queue import SimpleQueue
 from threading import Event, Lock
 from typing import Any
 
-from support.page.server.changes import Changes
+from support.page.server.changes import as_json, Changes
 from support.page.server.film import Film, FilmPicture
 from support.page.vpython_inside import take_changes
 
@@ -43,7 +43,7 @@ class Tab:
         """Send all that the tab has not got yet, as soon as it can take a message, or at once."""
         is_behind = self.delivered < changes.number
         if is_behind and (self.allowance > 0 or at_once):
-            self.send(changes.message(self.delivered))
+            self.send(as_json(changes.later(self.delivered)))
             self.delivered = changes.number
             self.allowance -= 1
 

@@ -23,7 +23,7 @@ def test_changes_merge_into_one_message_with_the_result_of_all():
     changes = Changes()
     changes.add({}, [SPHERE, CANVAS], ["a12a0,0", "a1a0,0", "m0Gkey", "b12a5"])
     changes.add({}, [WOOD], ["a12a4,5", "m0Gkey"])
-    drawing = [*json.loads(changes.message(0))["drawing"].values()]
+    drawing = [*changes.later(0)["drawing"].values()]
     assert drawing == [{**SPHERE, **WOOD}, CANVAS, "a1a0,0", "b12a5", "a12a4,5", "m0Gkey"]
 
 
