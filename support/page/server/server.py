@@ -121,7 +121,6 @@ class Server:
         """Send each tab a sign of life; end the program when no tab may still come."""
         self.loop.call_later(LOOK, self.look)
         for tab in self.tabs.tabs:
-            tab.update(self.tabs.all)
             tab.send("")
         if not self.tabs.are_gone and not self.attendance.look():
             self.tabs.are_gone = True
