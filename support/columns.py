@@ -21,8 +21,7 @@ class Column(NamedTuple):
     name: str
     example: str = ""  # of its numbers, in a message
     unit: str = ""  # of its numbers
-    # The least and the greatest number, as a message shows them
-    limits: tuple[str, str] | None = None
+    limits: tuple[float, float] | None = None  # the least and the greatest number
     choices: Collection[str] = ()  # names
 
     def allows(self, text: str) -> bool:
@@ -30,7 +29,7 @@ class Column(NamedTuple):
         if self.limits is None:
             return text in self.choices or not self.choices
         least, most = self.limits
-        return float(least) <= to_number(text) <= float(most)
+        return least <= to_number(text) <= most
 
     def allowed(self) -> str:
         """Return the allowed values, in words."""
@@ -38,7 +37,7 @@ class Column(NamedTuple):
             return f"one of {', '.join(self.choices)}"
         least, most = self.limits
         unit = f" ({self.unit})" if self.unit else ""
-        return f"a number from {least} to {most}{unit}, such as {self.example}"
+        return f"a number from {least:g} to {most:g}{unit}, such as {self.example}"
 
 
 # theta and omega have no limits: the start of a cradle does not depend on them.
@@ -46,8 +45,8 @@ COLUMNS = (
     # In a double cradle, a light bob between two heavy ones can get so fast that a tick has to be
     # done in many small steps (src/double_cradle.py). With these masses, no trial needed more than
     # about two hundred.
-    Column("mass", example="1.5", unit="kg", limits=("0.001", "1000")),
-    Column("e", example="0.9", limits=("0", "1")),
+    Column("mass", example="1.5", unit="kg", limits=(0.001, 1000)),
+    Column("e", example="0.9", limits=(0, 1)),
     Column("theta", unit="rad"),
     Column("omega", unit="rad/s"),
     Column("color", choices=COLOR_MAP),

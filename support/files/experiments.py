@@ -14,7 +14,7 @@ from support.found import found
 from support.root import ROOT
 
 EXPERIMENTS = ROOT / "support" / "experiments"
-ANGLE = Column("angle", example="-45", unit="degrees", limits=("-180", "180"))
+ANGLE = Column("angle", example="-45", unit="degrees", limits=(-180, 180))
 COLORS = "red", "yellow", "cyan", "blue", "purple"  # of the pendula, in turn
 MEASURED = re.compile(r"\{(?:energy|hits|(?:swing|speed|before)_([1-9]\d*))\}")
 FIELDS = "{energy}, {hits}, or swing_, speed_ or before_ with the number of a bob, in braces"

@@ -3,7 +3,6 @@
 A program runs again from its top for each cradle. So what you have saved is what runs.
 """
 
-import importlib
 import linecache
 import os
 import sys
@@ -119,7 +118,6 @@ def source_modules() -> dict[str, ModuleType]:
 
 def forget(modules: dict[str, ModuleType]) -> None:
     """Let Python import these modules again."""
-    importlib.invalidate_caches()
     for name in modules:
         del sys.modules[name]
 

@@ -42,8 +42,8 @@ def number(least: float, most: float, unit: str = "", kind: type = float) -> Cal
     def convert(text: str) -> float:
         value = to_number(text)
         if not least <= value <= most or value != kind(value):
-            words = "a whole number" if kind is int else "a number"
-            allowed = f"{words} from {least:g} to {most:g}"
+            noun = "a whole number" if kind is int else "a number"
+            allowed = f"{noun} from {least:g} to {most:g}"
             if unit:
                 allowed += f" ({unit})"
             raise argparse.ArgumentTypeError(found(text, allowed))
