@@ -4,12 +4,10 @@ import errno
 import os
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from hashlib import file_digest, sha256
 from pathlib import Path
 from typing import TextIO
 
-# The digest of what this process has written last into a file; the content can be a gigabyte.
-written: dict[Path, bytes] = {}
+written: dict[Path, int] = {}  # ns: when this process has written a file last
 
 
 @contextmanager
@@ -26,10 +24,8 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
     try:
         with open(unfinished, "w", encoding="utf-8", newline="") as file:
             yield file
-        with open(unfinished, "rb") as whole:
-            digest = file_digest(whole, "sha256").digest()
         os.replace(unfinished, target)
-        written[target.resolve()] = digest
+        written[target.resolve()] = target.stat().st_mtime_ns
     except OSError as error:
         if error.filename in (None, str(unfinished)):  # else it is of another file
             error.filename = str(filepath)
@@ -39,6 +35,7 @@ def whole_file(filepath: str | Path) -> Iterator[TextIO]:
             unfinished.unlink()
 
 
-def has_written(filepath: str | Path, data: bytes) -> bool:
-    """Return whether this process has written this content into a file."""
-    return written.get(Path(filepath).resolve()) == sha256(data).digest()
+def has_written(filepath: str | Path) -> bool:
+    """Return whether this process was the last one that has written this file."""
+    file = Path(filepath).resolve()
+    return file.exists() and written.get(file) == file.stat().st_mtime_ns

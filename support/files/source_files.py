@@ -79,12 +79,9 @@ class SourceFinder:
     ) -> ModuleSpec | None:
         """Return how to import a module from its text; None leaves it to Python."""
         spec = PathFinder.find_spec(name, path)
-        if not (spec and isinstance(spec.loader, SourceFileLoader)):
+        if not (spec and spec.origin and is_source_folder(os.path.dirname(spec.origin))):
             return None
-        file = spec.loader.path
-        if not is_source_folder(os.path.dirname(file)):
-            return None
-        spec.loader = SourceLoader(name, file)
+        spec.loader = SourceLoader(name, spec.origin)
         return spec
 
 

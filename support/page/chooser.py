@@ -94,7 +94,7 @@ class Chooser:
             return
         is_shown = self.next_cradle.settings.csv == self.first.csv
         self.first = self.first._replace(csv=csv)
-        if not has_written(self.file.filepath, self.file.current.data):
+        if not has_written(self.file.filepath):
             if self.experiment:
                 self.choose(YOUR_CSV)
             self.next_cradle.want(csv=csv)

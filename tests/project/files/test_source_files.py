@@ -178,6 +178,9 @@ def test_the_files_are_not_read_in_each_frame(saves):
     ],
 )
 def test_a_save_that_cannot_run_says_why(saves, text, mistake):
+    """Another file may have a mistake: maybe it is no part of the program."""
+    write("notes.py", "(")(saves.root)
+    assert saves.wait(1)
     write(GO, text)(saves.root)
     assert saves.wait(1)
     assert saves.live.mistake() == mistake

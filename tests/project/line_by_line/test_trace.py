@@ -84,8 +84,11 @@ ROWS = {
     "no end": """\
      return first(a)  # <- stops here: RecursionError""",
     "100,000 turns": """\
-     for i in range(100_000): pass  # i = 0 | 1 | ... | 9998 <- not watched further
-     return i  #""",
+     one()  #
+     for i in range(100_000): pass  # i = 0 | 1 | ... | 9995 <- not watched further
+     return i  #
+    def one():  # one()
+     return 1  # gives 1""",
 }
 
 
