@@ -255,7 +255,7 @@ def run_for_each_cradle(file: Path, player: Player) -> None:
                 player.go_on_after(error)
     except SignalError as stopped:
         seconds = perf_counter() - player.last_frame
-        stopped.is_late = seconds > ENDLESS_AFTER  # type: ignore[attr-defined]
+        stopped.is_late = seconds > ENDLESS_AFTER
         raise
     finally:
         player.hits.stop()

@@ -85,14 +85,13 @@ def numbers_in(csv: CradleCsv, column: str) -> list[float]:
 
 
 def with_numbers(csv: CradleCsv, numbers: Numbers) -> CradleCsv:
-    """Return the CSV with these numbers in its columns; an equal number keeps its text."""
+    """Return the CSV with these numbers in its columns."""
     pendula = [[*cells] for cells in csv.pendula]
     for column, values in numbers.items():
         place = csv.columns.index(column)
         # A program may have made its pendula from something else.
         for cells, value in zip(pendula, values, strict=False):
-            if to_number(cells[place]) != value:
-                cells[place] = repr(float(value))
+            cells[place] = repr(float(value))
     return csv._replace(pendula=pendula)
 
 

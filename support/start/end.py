@@ -21,6 +21,8 @@ came: list[int] = []  # the number of the signal that ends the program
 class SignalError(SystemExit):
     """A signal ends the program; its code is the exit status."""
 
+    is_late = True  # whether it came when no frame had come for long
+
 
 def on_signals(handle: Callable[[int, Any], object]) -> dict[int, Any]:
     """Let Ctrl+C, kill and a closed terminal call handle; return the handlers before.

@@ -9,6 +9,7 @@ from typing import Any
 
 from support.found import in_short
 from support.root import ROOT, SRC
+from support.start.end import SignalError
 
 LARGEST_NUMBER = 1e100  # a larger number has no energy: its square is too large
 TYPE_PYTEST = "Type pytest in this folder: it says more about mistakes."
@@ -86,14 +87,14 @@ def place_of(file: str, line: int | None) -> str:
     return f"{name}, line {line}"
 
 
-def report_endless_loop(error: BaseException, player: str = "") -> None:
+def report_endless_loop(error: SignalError, player: str = "") -> None:
     """Print the lines of a student's that a signal has stopped, the innermost one last.
 
     player is as in report_mistake. If frames were still coming (is_late is False), say nothing:
     nothing hung.
     """
     frames = students_frames(error, player)
-    if frames and getattr(error, "is_late", True):
+    if frames and error.is_late:
         lines = "".join(traceback.format_list(frames))
         print(f"Is there a loop that never ends?\n{lines}", end="", file=sys.stderr)
 

