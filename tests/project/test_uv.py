@@ -5,7 +5,16 @@ import signal
 import sys
 
 import pytest
-from programs import copy_project, end, first_lines, needs_vpython, QUIETLY, ROOT, running
+from programs import (
+    copy_project,
+    end,
+    first_lines,
+    half_written,
+    needs_vpython,
+    QUIETLY,
+    ROOT,
+    running,
+)
 from whole_cradles import FIVE_CSV
 
 UV = shutil.which("uv")
@@ -28,7 +37,7 @@ def test_the_page_and_the_checks_need_uv_alone(tmp_path):
     (tmp_path / "pyproject.toml").write_text(workspace)
     project = copy_project(tmp_path / "project", FIVE_CSV)
     shutil.copy(ROOT / "pyproject.toml", project)
-    shutil.copytree(ROOT / "tests", project / "tests")
+    shutil.copytree(ROOT / "tests", project / "tests", ignore=half_written)
     page = ("src/visualize_cradle_run.py", "--no-browser")
     with running("run", "-q", *page, folder=project, python=UV, **environment) as process:
         first_lines(process)

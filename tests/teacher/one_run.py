@@ -48,7 +48,8 @@ def result_of(submission: IO[bytes]) -> Result:
     """Return the result of a submission, a .tar with its files."""
     problems: list[str] = []
     files = choose(unpack(submission, problems), problems)
-    shutil.copytree(STARTER, "project", ignore=shutil.ignore_patterns(".*"))
+    # Another run may just now let Python compile a file of the starter: it is then renamed
+    shutil.copytree(STARTER, "project", ignore=shutil.ignore_patterns(".*", "*.pyc.*"))
     for place, content in files.items():
         path = Path("project", place)
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -8,7 +8,7 @@ from textwrap import dedent
 
 import pytest
 from graded import CHECKS, GRADER, outcomes_of
-from programs import python, ROOT, SECONDS, slow_except
+from programs import PROCESS_SECONDS, python, ROOT, slow_except
 from right_solutions import PLAIN
 from students import COLUMNS, PYTEST, pytest_in, write
 from wrong_solutions import WRONG
@@ -119,7 +119,7 @@ def test_a_debugger_has_its_prompt_in_a_terminal(starter):
     write(starter, *FUNCTIONS, angle_update=debugged)
     command = [sys.executable, "-c", IN_TERMINAL, *PYTEST.split(), "--tier", "C"]
     done = subprocess.run(
-        command, cwd=starter, input=b"p omega\nc\n", stdout=subprocess.PIPE, timeout=SECONDS
+        command, cwd=starter, input=b"p omega\nc\n", stdout=subprocess.PIPE, timeout=PROCESS_SECONDS
     )
     assert b"3.0" in done.stdout
     assert b"Tier C is complete." in done.stdout

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from unittest.mock import Mock
 
 import pytest
-from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page
+from pages import ARGUMENTS, CHROMIUM, FIREFOX, new_page, TIMEOUT
 from programs import needs_vpython
 from rig import Rig
 from shared_page import file, open_page, shared, whole  # noqa: F401  fixtures
@@ -81,7 +81,7 @@ def chromium(driver):
     program = CHROMIUM or driver.chromium.executable_path  # Playwright's own
     if not os.path.exists(program):
         pytest.skip("Chromium is not installed")
-    browser = driver.chromium.launch(executable_path=program, args=ARGUMENTS)
+    browser = driver.chromium.launch(executable_path=program, args=ARGUMENTS, timeout=TIMEOUT)
     yield browser
     browser.close()
 
@@ -99,6 +99,7 @@ def firefox(driver):
                 channel="moz-firefox",
                 executable_path=FIREFOX,
                 headless=False,
+                timeout=TIMEOUT,
                 env={**os.environ, "DISPLAY": f":{int(screen.stdout.readline())}"},
             )
             yield browser

@@ -59,6 +59,7 @@ function lights(places) {
 // --- the state and the controls ----------------------------------------------------------------
 
 let first; // the controls as the page has opened, but without Ask
+let ticket; // of the last command with which the page is put back
 
 // Put the settings back to those with which the page opens, pause, and restart the cradle.
 function putBack() {
@@ -75,12 +76,13 @@ function putBack() {
   /** @type {any} */ (document.activeElement).blur();
   resetView();
   scene().visible = false;
+  ticket = Math.random();
+  send("save_csv", ticket);
 }
 
-function isBack() {
-  const isSame = name => state.controls[name].value === first[name].value;
-  return state.paused && parseFloat(state.motion.t) === 0 && Object.keys(first).every(isSame);
-}
+// Return whether the program has done all this: it has answered the last command. What the page
+// shows can look the same before it.
+const isBack = () => state.saved_csv?.ticket === ticket && !state.error;
 
 // Return whether a film has been played to its end. The time of a picture is the slider's value.
 function isOver() {

@@ -36,6 +36,8 @@ ARGUMENTS = [
     "--disable-sync",
 ]
 
+TIMEOUT = 1000 * SECONDS  # ms: Playwright waits at most this long, also for a browser to start
+
 FOLDER = Path(__file__).parent
 BEFORE_PAGE = FOLDER / "before_page.js"
 TOOLS = [(FOLDER / name).read_text() for name in ["page_tools.js", "layout_rules.js"]]
@@ -45,7 +47,7 @@ TOOLS = [(FOLDER / name).read_text() for name in ["page_tools.js", "layout_rules
 def new_page(browser, **settings):
     """Open a new tab in this browser, with Playwright's settings, and close it in the end."""
     page = browser.new_page(viewport={"width": 1000, "height": 700}, **settings)
-    page.set_default_timeout(SECONDS * 1000)
+    page.set_default_timeout(TIMEOUT)
     page.add_init_script(f"window.tools = {json.dumps(TOOLS)}")
     page.add_init_script(path=BEFORE_PAGE)
     yield page

@@ -72,7 +72,7 @@ def test_a_page_goes_on_by_itself_when_its_line_was_cut(page, csv):
         wait_for_moves(page)
         page.mouse.up()
         assert page.evaluate(own) == before
-        assert pages.readout(page, "t") > time
+        programs.wait_until(lambda: pages.readout(page, "t") > time)
 
 
 def test_share_shows_an_address_whose_tab_sees_all_and_has_no_buttons(page, csv):

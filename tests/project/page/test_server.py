@@ -112,14 +112,14 @@ def test_a_closed_tab_is_not_cut_although_the_program_still_writes(site):
     meet = Barrier(2, timeout=programs.SECONDS).wait
     with mock.patch.object(attendance, "lose", wraps=attendance.lose) as lose:
         tab = Tab(site)
-        stream = tab.socket.protocol.stream
+        line = tab.socket.protocol.stream.socket
         site.server.tabs.tell({"title": "Not read"})
         for _ in range(2):
             site.server.loop.call_soon_threadsafe(meet)
         site.server.tabs.tell({"title": "Too late"})
         meet()  # the program has written, and stands still
-        tab.socket.close(1001)
-        stream.close()
+        line.sendall(b"\x88\x82" + bytes(4) + (1001).to_bytes(2, "big"))  # a browser's goodbye
+        line.close()
         meet()
         programs.wait_until(lambda: lose.called)
         tab.loop.close()
@@ -133,6 +133,8 @@ def test_a_tab_that_would_fill_the_memory_is_cut_off(site):
 
 
 def test_an_end_at_once_after_a_message_is_quiet(monkeypatch, recwarn):
+    gc.collect()  # what earlier tests have left
+    recwarn.clear()
     monkeypatch.setattr(server, "FAREWELL", 0)
     ended = server.Server(listen("127.0.0.1", 0), {"command": "", "csv": ""})
     address = urlsplit(ended.address())

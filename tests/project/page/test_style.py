@@ -74,7 +74,7 @@ def test_the_whole_swing_is_in_view(whole, size):
 
 
 def test_on_a_phone_the_cradle_and_its_buttons_stay_in_sight(whole):
-    set_size(whole, PHONE)
+    resize(whole, PHONE)
     for name in ("Pause", "Step", "Restart"):
         assert is_whole(whole, f".controls button:has-text('{name}')")
     before = edges(whole, ".stage")
@@ -99,7 +99,9 @@ def test_the_text_is_as_large_as_the_reader_has_chosen_and_nothing_is_cut(driver
     """
     arguments = [*pages.ARGUMENTS, "--blink-settings=defaultFontSize=24"]
     with (
-        driver.chromium.launch(executable_path=pages.CHROMIUM, args=arguments) as browser,
+        driver.chromium.launch(
+            executable_path=pages.CHROMIUM, args=arguments, timeout=pages.TIMEOUT
+        ) as browser,
         pages.new_page(browser) as page,
     ):
         pages.open_cradle(page, shared.url)

@@ -2,6 +2,7 @@
 
 import asyncio
 import json
+from concurrent.futures import ThreadPoolExecutor
 from http.client import HTTPConnection
 
 from programs import SECONDS
@@ -34,22 +35,29 @@ class Tab:
         self.socket = self.do(websocket_connect, HTTPRequest(address, headers={"Origin": origin}))
 
     def do(self, function, *arguments):
-        """Return the result of a function for which one must wait."""
+        """Return the result of a function for which one must wait.
+
+        In a thread of its own: in this one, Playwright may have its loop.
+        """
 
         async def wait():
             return await asyncio.wait_for(function(*arguments), SECONDS)
 
-        return self.loop.run_until_complete(wait())
+        with ThreadPoolExecutor() as thread:
+            return thread.submit(self.loop.run_until_complete, wait()).result()
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
         """Say, as a browser, that the tab is closed, and wait until the program has heard it."""
-        self.socket.close(1001)
-        while self.do(self.socket.read_message) is not None:
-            pass
+        self.do(self.leave)
         self.loop.close()
+
+    async def leave(self):
+        self.socket.close(1001)
+        while await self.socket.read_message() is not None:
+            pass
 
     def tell(self, message):
         self.do(self.socket.write_message, message)
