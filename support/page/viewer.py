@@ -38,7 +38,6 @@ SAMPLES_A_SWING = 90  # for the graph, in the time of a small swing
 LOOKS_A_SWING = 1000  # of a measurement, in this time
 YOURS = "your answer"  # above the ghosts of an answer
 MEND = "Mend it, and save the file; pytest says more."
-FROM_BEFORE = " The picture is from before."
 ENDED = "The program has come to its end. Restart runs it again."
 NEW_CONSTANTS = "support/constants.py has changed. Start the program again."
 ALSO_AFTER_THE_END = "restart", "next", "previous"  # commands
@@ -273,8 +272,6 @@ class Viewer(Player):
             print(over)
         elif error:
             over, stopped = "", f"{report_mistake(error, PLAYER_FILE).rstrip('.')}. {MEND}"
-            if not self.is_shown:
-                stopped += FROM_BEFORE
         self.tabs.tell({"title": self.cradle.title, "over": over, "stopped": stopped})
         while not (self.next_cradle.is_wanted or self.tabs.are_gone):
             end_if_signalled()

@@ -42,18 +42,19 @@ def rig(csv):
 def start(monkeypatch, csv):
     """A function that starts a program for three unequal pendula.
 
-    It takes the kind of the cradle, and options; it returns where its server listens, whether it
-    has opened a browser, and the viewer.
+    It takes the kind of the cradle, and options; it returns the host and the port of its server,
+    whether it has opened a browser, and the viewer.
     """
     csv.write_text(MIXED_CSV)
     monkeypatch.chdir(csv.parent)
     server = Mock()
-    listen = Mock()
-    server.listener.getsockname = lambda: listen.call_args.args
     run = Mock()
-    module = SimpleNamespace(Server=lambda *_: server)
-    monkeypatch.setitem(sys.modules, "support.page.server.server", module)
-    monkeypatch.setattr("support.page.server.port.listen", listen)
+
+    def make_server(options):
+        server.listener.getsockname.return_value = options.host, options.port
+        return server
+
+    monkeypatch.setattr("support.page.show_cradle.make_server", make_server)
     monkeypatch.setattr("support.page.show_cradle.run_for_each_cradle", run)
 
     def start(kind, line):
@@ -64,7 +65,7 @@ def start(monkeypatch, csv):
         program, viewer = run.call_args.args
         assert program == PROGRAMS[kind]
         go_on(viewer)
-        place = listen.call_args.args
+        place = server.listener.getsockname()
         return SimpleNamespace(place=place, browser=server.browser_start.open.called, viewer=viewer)
 
     return start
