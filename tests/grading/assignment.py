@@ -14,8 +14,8 @@ class Function(NamedTuple):
     file: str
     parameters: str
     waits_for: tuple[str, ...] = ()  # functions here that must be right first
-    # Functions, here or provided, that a line of it must name. If none does, a student reads: No
-    # line of your function calls ...
+    # What a line of it must name, if not the functions that it waits for. If none does, a student
+    # reads: No line of your function calls ...
     must_name: tuple[str, ...] = ()
     reads: tuple[str, ...] = ()  # keys of a pendulum that messages show
     returns: str = ""  # names of what it returns; "" if it returns nothing
@@ -30,19 +30,9 @@ DOUBLE = "src/double_cradle.py"
 PROGRAM = "the program"
 
 
-def maker(parameters: str, waits_for: str, must_name: str = "") -> Function:
-    """Return a function that makes a pend_list from a CSV.
-
-    Without must_name, it must name the function that it waits for.
-    """
-    return Function(
-        "D",
-        SPECIAL,
-        parameters,
-        waits_for=(waits_for,),
-        must_name=(must_name or waits_for,),
-        returns="pend_list",
-    )
+def maker(parameters: str, waits_for: str) -> Function:
+    """Return a function that makes a pend_list from a CSV."""
+    return Function("D", SPECIAL, parameters, (waits_for,), returns="pend_list")
 
 
 # In the order of the assignment.
@@ -55,10 +45,8 @@ FUNCTIONS = {
     "elastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
     "inelastic_newton_cradle": maker("relative_filepath", "uniform_e_newton_cradle"),
     "make_newton_cradle": maker(
-        "relative_filepath, r_param, theta_init",
-        "extract_and_convert",
-        must_name="make_pendulum",
-    ),
+        "relative_filepath, r_param, theta_init", "extract_and_convert"
+    )._replace(must_name=("make_pendulum",)),
     "angle_update": Function(
         "C", SWINGING, "omega, theta, r_param, dt, g", returns="omega_new, theta_new"
     ),
@@ -81,7 +69,6 @@ FUNCTIONS = {
         VISUALIZE_FILE,
         "pend1, pend2, r_param",
         waits_for=("handle_collision",),
-        must_name=("handle_collision",),
         reads=("mass", "e", "omega", "bob", "radius"),
     ),
     "newton_cradle_tick": Function(
@@ -89,7 +76,6 @@ FUNCTIONS = {
         VISUALIZE_FILE,
         "pend_list, r_param, dt, g",
         waits_for=("full_swing_update", "handle_two_bobs"),
-        must_name=("full_swing_update", "handle_two_bobs"),
         reads=("mass", "e", "theta", "omega", "bob"),
     ),
     PROGRAM: Function(

@@ -180,7 +180,8 @@ def facts_of(check: Check, error: WrongError, trace: Trace) -> list[str]:
         return facts
     facts += unchanged(error, trace)
     facts += returns_in_loops(trace)
-    missing = [name for name in function.must_name if name not in names]
+    must_name = function.must_name or function.waits_for
+    missing = [name for name in must_name if name not in names]
     return [*facts, *(f"No line of your function calls {name}." for name in missing)]
 
 

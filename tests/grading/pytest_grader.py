@@ -112,9 +112,9 @@ def pytest_report_teststatus(report: Any, config: pytest.Config) -> tuple[str, s
     Give a check that waits its own letter and word.
     """
     outcomes = config.stash[RESULTS].outcomes
-    for key, pickled in report.user_properties:
-        if key == OUTCOME:
-            outcomes[name_of(report)] = pickle.loads(pickled)
+    pickled = dict(report.user_properties).get(OUTCOME)
+    if pickled:
+        outcomes[name_of(report)] = pickle.loads(pickled)
     outcome = outcomes.get(name_of(report))
     if report.skipped and outcome and outcome.state == WAITING:
         return WAITING, "w", "WAITING"
