@@ -126,13 +126,9 @@ def mistake_in(what: Any, found: Any, expected: Any) -> Mistake:
         whole = Subject(owner=what.owner) if isinstance(what, Each) else what
         elements = plural(len(found), "element", "elements")
         return Mistake(f"{whole} has {elements}, not {len(like)}.", subject, found=found)
-    if isinstance(expected, dict):
-        for key in expected:
-            if key not in found:
-                return Mistake(f"{what} has no key {text_of(key)}.", subject)
-        for key in found:
-            if key not in expected:
-                return Mistake(f"{what} has the key {text_of(key)}, too.", subject)
+    if isinstance(expected, dict) and found.keys() != expected.keys():
+        keys = f"{', '.join(map(str, found))}, not {', '.join(expected)}"
+        return Mistake(f"{what} has the keys {keys}.", subject)
     for key, part in parts_of(what, expected):
         if not fits(found[key], expected[key]):
             return mistake_in(part, found[key], expected[key])

@@ -264,12 +264,11 @@ def usable_result(function: str, *arguments: Any) -> Any:
     return running.get().run(Call(function, arguments), arguments, ("expected", "a result"))
 
 
-def place_of(raised: StoppedError | None, function: str) -> Place | None:
+def place_of(raised: StoppedError, function: str) -> Place | None:
     """Return the innermost place of an error in what the student wrote for this function.
 
     Return None if it has none.
     """
-    if not raised or not raised.places:
-        return None
-    places = [place for place in raised.places if is_students(place.function, function)]
-    return places[-1] if places else raised.places[-1]
+    own = [place for place in raised.places if is_students(place.function, function)]
+    places = own or raised.places
+    return places[-1] if places else None

@@ -29,10 +29,10 @@ ROWS: list[tuple[Any, str, str]] = [
     (TypeError, "'<=' not supported between instances of 'vector'", "mag gives the length of a vector: a number."),
     (AttributeError, "'str' object has no attribute 'x'", "COLOR_MAP has the vector for the name of a color."),
     (TypeError, r"for \^", "In Python, ** is a power, and ^ is something else."),
-    (NameError, rf"^name '({KEYS})' .*\n.*\[\1\]", r"A key is text. Write it in quotes: ['\1']."),
+    (NameError, rf"name '({KEYS})' .*\n.*\[\1\]", r"A key is text. Write it in quotes: ['\1']."),
     (AttributeError, f"'dict' object has no attribute '({KEYS})'", r"A dictionary needs brackets and quotes, not a dot: ['\1']."),
     (AttributeError, "'tuple' object has no attribute", TUPLE),
-    (KeyError, f"^'({PARTS})'", TUPLE),
+    (KeyError, f"'({PARTS})'", TUPLE),
     (ImportError, "circular import", "Your files import each other in a circle. Remove the import in this file."),
     (ModuleNotFoundError, f"'({FILES})'", r"Write src. in front of the file in the import: src.\1."),
     (FileNotFoundError, "", "A check works in a folder of its own: relative_filepath has the path of the file to read (in the program: NC_FP)."),
@@ -40,11 +40,13 @@ ROWS: list[tuple[Any, str, str]] = [
 # fmt: on
 
 
-def of_error(error: BaseException, frames: list[tuple[FrameType, int]], function: str) -> str:
+def of_error(
+    error: BaseException, text: str, frames: list[tuple[FrameType, int]], function: str
+) -> str:
     """Return what is known about an error of Python's in a function, or "".
 
-    frames are the student's (frame, line) pairs that it has passed. function is "" if the error
-    stopped the import of a file.
+    text is that of the error. frames are the student's (frame, line) pairs that it has passed.
+    function is "" if the error stopped the import of a file.
     """
     if isinstance(error, SyntaxError):
         return hint_of_row(error, error.msg)
@@ -59,7 +61,7 @@ def of_error(error: BaseException, frames: list[tuple[FrameType, int]], function
     if frames:
         frame, line = frames[-1]
         code = linecache.getline(frame.f_code.co_filename, line)
-    return hint_of_row(error, f"{error}\n{code}")
+    return hint_of_row(error, f"{text}\n{code}")
 
 
 def hint_of_row(error: BaseException, text: str) -> str:

@@ -4,7 +4,6 @@ import ast
 import re
 import traceback
 from collections.abc import Iterable
-from contextlib import suppress
 from functools import cache
 from linecache import getline, getlines
 from pathlib import Path
@@ -65,8 +64,12 @@ class StoppedError(Exception):
         self.stub = stub_of(error, self.places)  # the function that is not written yet, or None
         if self.stub:
             self.hint = hint_for_stub(self.stub, self.places[-1])
+        elif limit:
+            self.hint = ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
+        elif isinstance(error, SystemExit):
+            self.hint = ENDING
         else:
-            self.hint = hint_about(error, frames, function, limit)
+            self.hint = of_error(error, self.text, frames, function)
 
     @property
     def culprit(self) -> str | None:
@@ -90,19 +93,6 @@ def text_of(error: BaseException) -> str:
     """Return the kind of an error and its text, also what Python guesses: "Did you mean: ...?"."""
     *_, text = traceback.TracebackException.from_exception(error).format_exception_only()
     return text.strip()
-
-
-def hint_about(
-    error: BaseException, frames: list[tuple[FrameType, int]], function: str, limit: str
-) -> str:
-    """Return a hint about an error that stopped a function, or ""; limit is as in StoppedError."""
-    if limit:
-        return ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
-    if isinstance(error, SystemExit):
-        return ENDING
-    with suppress(Exception):  # an error of the student's own, which says nothing of itself
-        return of_error(error, frames, function)
-    return ""
 
 
 @cache

@@ -102,20 +102,16 @@ class StudentsCode:
         It runs from its top. With stand-ins, its file is imported, and then its block runs.
         """
         player.begin()
-        try:
-            with fresh_modules():
-                if stand_ins:
-                    program = importlib.import_module(module_of(FUNCTIONS[PROGRAM].file))
-                    program.__name__ = "__main__"
-                    block = code_of(PROGRAM)
-                else:
-                    program = main_module(PROGRAM_FILE)
-                    block = None
-                with placed(stand_ins):
-                    simulation.run(lambda: run_file(program, block), player)
-        except SystemExit as end:  # exit() without an error ends the run, as on the page
-            if end.code:
-                raise
+        with fresh_modules(), suppress(SystemExit):  # exit() ends the run, as on the page
+            if stand_ins:
+                program = importlib.import_module(module_of(FUNCTIONS[PROGRAM].file))
+                program.__name__ = "__main__"
+                block = code_of(PROGRAM)
+            else:
+                program = main_module(PROGRAM_FILE)
+                block = None
+            with placed(stand_ins):
+                simulation.run(lambda: run_file(program, block), player)
 
     def run(
         self,
@@ -158,15 +154,13 @@ class StudentsCode:
 
 
 def code_of(function: str) -> CodeType | None:
-    """Return the code of a student's function, or of the program's block, if it is there."""
-    with suppress(Exception):  # it is not imported, or no plain function
-        if function == PROGRAM:
-            module = ast.parse("".join(getlines(str(PROGRAM_FILE))))
-            module.body = [statement for statement in module.body if isinstance(statement, ast.If)]
-            return compile(module, str(PROGRAM_FILE), "exec")
-        module_name = module_of(FUNCTIONS[function].file)
-        return getattr(sys.modules[module_name], function).__code__
-    return None
+    """Return the code of a student's function, if it is a plain one, or of the program's block."""
+    if function == PROGRAM:
+        module = ast.parse("".join(getlines(str(PROGRAM_FILE))))
+        module.body = [statement for statement in module.body if isinstance(statement, ast.If)]
+        return compile(module, str(PROGRAM_FILE), "exec")
+    module_name = module_of(FUNCTIONS[function].file)
+    return getattr(getattr(sys.modules[module_name], function), "__code__", None)
 
 
 def names_in(code: CodeType | None) -> set[str]:

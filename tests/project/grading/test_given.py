@@ -3,7 +3,7 @@
 import json
 
 import pytest
-from students import change
+from students import change, pytest_in
 
 from grading.assignment import GIVEN
 from grading.given import changed_given, defined_twice, GIVEN_FUNCTIONS
@@ -35,6 +35,20 @@ def test_a_starter_has_the_source_of_all_given_functions(made):
     """Students write double_cradle_tick, which has no check."""
     sources = json.loads((made / GIVEN_FUNCTIONS).read_text())
     assert {*sources} == GIVEN - {"double_cradle_tick"}
+
+
+# What stands in place of a stub's def line, and what pytest says
+DEFINED = [
+    ("def angle_update(): pass\ndef angle_update(", "angle_update is defined in lines"),
+    ("def update(", "src/swinging.py has no function angle_update."),
+]
+
+
+@pytest.mark.parametrize(("line", "said"), DEFINED)
+def test_a_function_above_its_stub_or_with_another_name_is_found(starter, line, said):
+    change(starter / "src/swinging.py", "def angle_update(", line)
+    _, rows = pytest_in(starter, "--tier", "C")
+    assert said in " ".join(" ".join(rows).split())
 
 
 def test_a_function_that_is_defined_twice_is_named_with_the_lines(tmp_path):

@@ -18,6 +18,10 @@ from support.files import source_files
 STUB = 'raise NotImplementedError("{} is not written yet")'
 
 
+CAUGHT = """\
+try:
+    while True: pass
+except BaseException: return 2.0, 2.817993878"""
 # A function, a body that takes too long or too much, its limits, and what is said
 STOPPED = [
     ("angle_update", "import time; time.sleep(100)", {"waiting": 0.3}, "waited longer than 0.3 s"),
@@ -30,6 +34,7 @@ STOPPED = [
         marks=pytest.mark.skipif(not limits.MEMORY_IN_USE.exists(), reason="Linux limits it"),
     ),
     (PROGRAM, "while True: pass", {"patience": 0.3}, "took longer than 0.3 s"),
+    ("angle_update", CAUGHT, {"patience": 0.3}, "took longer than 0.3 s"),
 ]
 
 
@@ -102,6 +107,13 @@ def test_a_function_that_is_not_written_waits_and_those_that_use_it_are_judged(s
         messages[name] = f"waits for you to write {name} in src/swinging.py, line {line}"
     outcomes = outcomes_of("angle_update")
     assert {check.function: outcome.message for check, outcome in outcomes.items()} == messages
+
+
+def test_a_function_that_calls_one_that_is_not_written_waits_for_it(solve):
+    solve("elastic_newton_cradle", "return extract_and_convert(relative_filepath)")
+    solve("extract_and_convert", STUB.format("extract_and_convert"))
+    (outcome,) = outcomes_of("elastic_newton_cradle", users=False).values()
+    assert outcome.message == "waits for extract_and_convert"
 
 
 # A function, its body, and whether there is code beside the raise
