@@ -2,7 +2,6 @@
 
 import sys
 from collections.abc import Sequence
-from contextlib import ExitStack
 from html import escape
 from math import inf
 from pathlib import Path
@@ -137,22 +136,21 @@ def write_films(file: Path, recorder: FilmRecorder, files: Sequence[str], place:
     If a function makes a mistake, or after a signal, none is written, and the exit status is 1.
     Raises an OSError if a file cannot be written.
     """
-    with ExitStack() as stack:
-        opened = [stack.enter_context(whole_file(name)) for name in files]
-        recorder.report_progress = stack.enter_context(progress_bar())
-        try:
+    try:
+        with progress_bar() as recorder.report_progress:
             run_for_each_cradle(file, recorder)
-        except UnwrittenError as error:
-            refuse(error)
-        except (Exception, SystemExit) as error:
-            if isinstance(error, SignalError):
-                report_endless_loop(error, PLAYER_FILE)
-            else:
-                report_mistake(error, PLAYER_FILE)
-            complain(f"{place} is not written.")
-            sys.exit(1)
-        for opened_file, html in zip(opened, recorder.films, strict=True):
-            opened_file.write(html.decode())
+    except UnwrittenError as error:
+        refuse(error)
+    except (Exception, SystemExit) as error:
+        if isinstance(error, SignalError):
+            report_endless_loop(error, PLAYER_FILE)
+        else:
+            report_mistake(error, PLAYER_FILE)
+        complain(f"{place} is not written.")
+        sys.exit(1)
+    for name, html in zip(files, recorder.films, strict=True):
+        with whole_file(name) as film:
+            film.write(html.decode())
     for remark in recorder.remarks:
         print(remark)
     seconds = f"{recorder.motion.time():.15g} s"
