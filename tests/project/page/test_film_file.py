@@ -143,7 +143,6 @@ def test_homework_asks_what_will_happen_and_what_you_saw_and_explains(page, tmp_
     assert not moment.is_visible()
     wait_for_angles(page, -45, -45, 0, 0, 0)
     press(page, "A\u2002One bob, twice as fast")
-    pages.wait_for_throw(page)
     question.get_by_text("What did you see?").wait_for()
     wait_for_angles(page, -45, -45, 0, 0, 0)  # nobody reads the answer off the picture
     press(page, "Again slowly")
