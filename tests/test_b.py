@@ -27,6 +27,7 @@ AFTER = (-6.52, -1.62)
 COLLISIONS = [
     ((0.5, 4.0, 0.0, 1.0, 1.0), (1.0, 3.0)),
     ((1, 2.0, -5.0, 0.7, 0.7), (-5.0, 2.0)),  # equal masses, elastic: velocities change places
+    ((0, 3.0, 0.0, 1.0, 1.0), (1.5, 1.5)),  # inelastic: both move on together
     ((1, 4.0, 0.0, 1.0, 3.0), (-2.0, 2.0)),  # a light bob bounces off a heavy one
     ((1, 4.0, 0.0, 3.0, 1.0), (2.0, 6.0)),  # a heavy bob drives a light one ahead
     ((0, 4.0, -2.0, 1.0, 2.0), (0.0, 0.0)),  # opposite momenta, inelastic: both stop

@@ -11,7 +11,7 @@ from support.cradle.cradle import Cradle
 from support.cradle.player import Player, PLAYER_FILE, run_for_each_cradle
 from support.cradle.real_time import RealTime
 from support.files.data_file import whole_file
-from support.files.experiments import Experiment
+from support.files.experiments import Experiment, EXPERIMENTS
 from support.page.lesson import EXPLAINED, FREE
 from support.page.server.film import Film
 from support.page.server.film_file import film_as_html
@@ -123,6 +123,8 @@ def write_all_films(file: Path, recorder: FilmRecorder, folder: str) -> None:
     files = [str(Path(folder, f"{known.stem}.html")) for known in experiments.values()]
     for mistake in recorder.chooser.mistakes:
         complain(mistake)
+    if not experiments:
+        refuse(f"--html-all: there is no experiment in {EXPERIMENTS / cradle.kind}")
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
     write_films(file, recorder, files, folder)
