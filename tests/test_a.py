@@ -218,10 +218,9 @@ def test_the_cradle_is_made():
         return pend["objects"][2].axis.mag if "objects" in pend else None
 
     def is_made(found):
-        cord = abs(R_PARAM)
-        others = [(0, cord)] * (len(found) - 1)
+        others = [(0, R_PARAM)] * (len(found) - 1)
         thetas = [theta for _, theta in swings(1)]  # a loop with rate may do a tick before it
-        return any(same(found, [(theta, cord), *others]) for theta in thetas)
+        return any(same(found, [(theta, R_PARAM), *others]) for theta in thetas)
 
     thetas_and_cords = (
         f"({THETA_INIT:g}, {R_PARAM:g}) for the first one, (0, {R_PARAM:g}) for the others"

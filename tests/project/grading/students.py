@@ -43,11 +43,6 @@ def solved(made, tmp_path_factory):
     """The files of a complete solution, by their paths below src/."""
     folder = shutil.copytree(made, tmp_path_factory.mktemp("solved") / "starter")
     write(folder, *FUNCTIONS)
-    return files_of(folder)
-
-
-def files_of(folder) -> dict[str, bytes]:
-    """Return the files that a student in this folder submits, by their paths below src/."""
     names = sorted({function.file.removeprefix("src/") for function in FUNCTIONS.values()})
     return {name: (folder / "src" / name).read_bytes() for name in names}
 

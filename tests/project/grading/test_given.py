@@ -37,16 +37,18 @@ def test_a_starter_has_the_source_of_all_given_functions(made):
     assert {*sources} == GIVEN - {"double_cradle_tick"}
 
 
-# What stands in place of a stub's def line, and what pytest says
+STUB = "def angle_update("
+# A text in a new starter, what stands in its place, and what pytest says
 DEFINED = [
-    ("def angle_update(): pass\ndef angle_update(", "angle_update is defined in lines"),
-    ("def update(", "src/swinging.py has no function angle_update."),
+    (STUB, f"def angle_update(): pass\n{STUB}", "angle_update is defined in lines"),
+    (STUB, "def update(", "src/swinging.py has no function angle_update."),
+    (SHOW, "", f"Note: {DIFFERS}(its end)"),
 ]
 
 
-@pytest.mark.parametrize(("line", "said"), DEFINED)
-def test_a_function_above_its_stub_or_with_another_name_is_found(starter, line, said):
-    change(starter / "src/swinging.py", "def angle_update(", line)
+@pytest.mark.parametrize(("before", "after", "said"), DEFINED)
+def test_pytest_says_what_a_file_defines(starter, before, after, said):
+    change(starter / "src/swinging.py", before, after)
     _, rows = pytest_in(starter, "--tier", "C")
     assert said in " ".join(" ".join(rows).split())
 
