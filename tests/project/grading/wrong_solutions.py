@@ -113,7 +113,7 @@ SAID = {
         "omega of pend2: (0, 4)": ("e = pend1", "e = pend2"),
         "position of the bob of pend2 is": ("pend2['omega'] = new", "bob2.pos.x += 0.01; pend2['omega'] = new"),
         "is 1.14629 m, more than 1.05 m.": ("mag(bob1.pos - bob2.pos)", "abs(bob1.pos.x - bob2.pos.x)"),
-        "radius 10 pend2": ("<=", "<"),
+        "is 21 m, at most 21 m.": ("<=", "<"),
         "is 1 m, at most 1.155 m. handle_collision(0.5, 4, 0, 1, 1, 4) gives (1, 3).": ("bob2.radius", "bob1.radius"),
         "omega -1, bob": ("if mag", "if omega1 > omega2 and mag"),
         "is 1, not 2.5.": ("if mag", "last = vars(handle_two_bobs).get('last')\n        handle_two_bobs.last = pend1\n        if last is not pend1 and mag"),
