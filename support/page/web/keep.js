@@ -12,7 +12,6 @@ one(".save-film").onclick = async () => {
 export function save(download, content) {
   const href = URL.createObjectURL(content);
   make("a", { download, href }).click();
-  setTimeout(URL.revokeObjectURL, 60_000, href); // the browser has written it by then
 }
 
 // The program gets the bytes, to say why it refuses them, but no more than of the largest file.

@@ -10,7 +10,6 @@ from whole_cradles import GOOD, HEADER, thetas
 MAKE = "make_newton_cradle"
 CSV = "My cradle"
 TWO = "Two bobs"
-FROM_BOTH_SIDES = "From both sides"
 
 
 @pytest.mark.parametrize(
