@@ -115,9 +115,8 @@ def require_pendula(make: Callable | str, pend_list: Any, keys: Iterable[str], p
         objects = pend.get("objects")
         if not isinstance(objects, tuple) or len(objects) != parts:
             found = f"a {type(objects).__name__}" if "objects" in pend else "nothing"
-            raise MistakeError(
-                make, f"set objects of pendulum {number} to {found}; it must be a tuple of parts."
-            )
+            must = f"it must be a tuple of {parts} parts."
+            raise MistakeError(make, f"set objects of pendulum {number} to {found}; {must}")
 
 
 def is_pend_list(value: Any) -> bool:

@@ -175,7 +175,7 @@ def laid_out(call: Call, line: int, values: str, calls: list[str]) -> list[str]:
         code = ast.unparse(statement).partition("\n")[0]
     indent = indent_of(file, line) - min(indent_of(file, other) for other in call.statements)
     begin = f"{line:>{INDENT}}  {' ' * indent}"
-    start, *more = below(code, begin, 1 if calls else MOST_CODE)
+    start, *more = below(code, begin, MOST_CODE)
     column = INDENT + 2 + CODE
     if column + 2 + len(values) > COLUMNS:
         column = len(start)

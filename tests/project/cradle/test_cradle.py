@@ -175,11 +175,17 @@ NO_LIST = "must return a list of dictionaries, for is_running(pend_list); it got
     ("name", "line", "message"),
     [
         (MAKE, "pend_list = []", f"{NO_LIST}[]."),
+        (MAKE, "pend_list = 5", f"{NO_LIST}5."),
         (MAKE, "pend_list = ['pendulum']", f"{NO_LIST}['pendulum']."),
         (MAKE, "pend_list[1]['theta'] = '0'", "set theta of pendulum 2 to '0'; it must be a "),
         (MAKE, "pend_list[1]['theta'] = 1e200", "set theta of pendulum 2 to 1e+200; it must"),
         (MAKE, "pend_list[1]['mass'] = -1", "set mass of pendulum 2 to -1; it must be above 0."),
         (MAKE, "pend_list[1]['objects'] = []", "set objects of pendulum 2 to a list; it must be"),
+        (
+            MAKE,
+            "pend_list[1]['objects'] = ()",
+            "set objects of pendulum 2 to a tuple; it must be",
+        ),
         (MAKE, "del pend_list[4]['omega']", "set omega of pendulum 5 to nothing; it must"),
         (TICK, "pend_list[1]['omega'] = float('nan')", "set omega of pendulum 2 to nan; it must"),
         (TICK, "pend_list.pop()", "made 4 pendula from 5; it must keep their number."),

@@ -24,6 +24,8 @@ ROWS = {
      a[1][0] = half(4) + s.n  # a[1][0] = 2.3 half(n=4) gives 2
      b = {}  # b = {}
      b["n"] = s.add(a.pop())  # b["n"] = None, s.n = 2.3, a = [[1]]
+     b["s"] = s  # b["s"] = Shelf(n=2.3)
+     o = s  # o = s, Shelf(n=2.3)
     class Shelf:
      def __init__(self, n):  # Shelf.__init__(n=0.3)
       self.n = n  # self.n = 0.3
@@ -141,7 +143,7 @@ def test_the_rows_say_what_each_line_did(name):
 @pytest.mark.parametrize(
     ("name", "height", "kept"),
     [
-        ("values", 4, "2 3 5"),
+        ("values", 4, "2 3 7"),
         ("conditions", 4, "2 12 14 15"),
         ("turns", 5, "4 5 7"),
         ("errors", 1, "6 8"),

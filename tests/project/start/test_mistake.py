@@ -56,6 +56,11 @@ def test_a_mistake_of_the_project_is_reported_in_full(main, csv, monkeypatch):
     assert stderr.splitlines()[-1].startswith("ZeroDivisionError")
 
 
+def test_a_mistake_without_a_line_is_the_message_alone():
+    error = mistake.MistakeError("The program", "has ended.")
+    assert mistake.report_mistake(error) == "The program has ended."
+
+
 def test_of_ctrl_c_outside_of_the_students_functions_nothing_is_said(capsys):
     mistake.report_endless_loop(SignalError(0))
     assert capsys.readouterr().err == ""

@@ -134,9 +134,17 @@ def test_a_terminal_shows_the_progress_of_what_takes_longer_than_two_seconds(
     assert capsys.readouterr().err == ("\r25 % \r100 % \n" if shown else "")
 
 
-def test_the_program_refuses_in_one_line(main, csv):
-    words = f"--lift: found '6', allowed is at most 5, the number of pendula in {csv}\n"
-    assert main(csv, "--lift", 6) == (2, "", words)
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ("--lift 6", "--lift: found '6', allowed is at most 5, the number of pendula in five.csv"),
+        ("--seconds 1 --record no/x.csv", "no/x.csv: No such file or directory"),
+    ],
+)
+def test_the_program_refuses_in_one_line(main, csv, monkeypatch, options, words):
+    monkeypatch.chdir(csv.parent)
+    csv.rename("five.csv")
+    assert main("five.csv", *options.split()) == (2, "", f"{words}\n")
 
 
 HIDDEN = """\
