@@ -40,11 +40,7 @@ class Hits:
         self.cradle = cradle
         self.next_cradle = next_cradle
         self.noted: list[Hit] = []  # of this batch
-        self.tick = 0  # the number of this tick
-        self.was_asked = False  # whether a tick of this run has called the function
         self.has_rule = cradle.cord_count == 1
-        # Of each id of a pendulum with which the run began -> its index, and the pendulum
-        self.known: dict[int, tuple[int, Pendulum]] = {}
         self.replaced = ExitStack()  # puts the function back
 
     def listen(self) -> None:
@@ -52,8 +48,9 @@ class Hits:
         cradle = self.cradle
         names = cradle.tick_names
         name = cradle.collide_name
-        self.tick = 0
-        self.was_asked = False
+        self.tick = 0  # the number of this tick
+        self.was_asked = False  # whether a tick of this run has called the function
+        # Of each id of a pendulum with which the run began -> its index, and the pendulum
         self.known = {id(pend): (i, pend) for i, pend in enumerate(cradle.pend_list)}
         if name in names:
             self.replaced.callback(names.__setitem__, name, names[name])
