@@ -140,7 +140,7 @@ class Trace:
     @property
     def is_full(self) -> bool:
         """Whether nothing more is watched."""
-        return self.events > MOST_EVENTS
+        return self.events > MOST_EVENTS or self.fault is not None
 
     def has_set(self, key: Key) -> bool:
         """Return whether a statement has set a cell."""
