@@ -179,8 +179,6 @@ class SavedFilm(Guarded):
         from support.page.server.film_file import film_as_html  # it takes a moment
 
         pictures = self.server.tabs.pictures()
-        if not pictures:
-            raise HTTPError(404)
         # In a thread of its own: a long run takes seconds, and the tabs go on meanwhile.
         self.finish(await asyncio.to_thread(film_as_html, pictures))
 
