@@ -98,18 +98,21 @@ def test_a_file_that_cannot_be_compiled_lets_the_cradle_swing_on(opened):
 
 def test_in_one_open_page_the_cradle_grows_with_each_save(starter, page):
     """test_preview.py has the other stages."""
+
+    def write_at_once(tiers):
+        process.send_signal(signal.SIGSTOP)  # it would run what is half written
+        write_tiers(starter, tiers)
+        process.send_signal(signal.SIGCONT)
+
     with running(starter / RUN, folder=starter) as process:
         page.goto(first_lines(process))
         unwritten = f"{NO_CRADLE}{write_next(starter, 'extract_and_convert')}"
         remark = page.get_by_text(unwritten)
         remark.wait_for()
-        process.send_signal(signal.SIGSTOP)  # it would run what is half written
-        write_tiers(starter, "D")
-        process.send_signal(signal.SIGCONT)
+        write_at_once("D")
         wait_for_cradle(page)
         page.get_by_text(write_next(starter, STAGES["D"][0])).wait_for()
-        for tier in "CBA":
-            write_tiers(starter, tier)
+        write_at_once("CBA")
         wait_for_throw(page)
         remark.wait_for(state="hidden")
         process.send_signal(signal.SIGINT)
