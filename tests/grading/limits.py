@@ -71,12 +71,12 @@ class Limits:
         """Raise a KeyboardInterrupt if the body runs: one that is over was in time."""
         if not self.stopped_by:
             self.is_pressed = True
-        if not self.over.is_set() and module_of(frame) not in CALLBACKS:
+        if not self.over.is_set() and module_in(frame) not in CALLBACKS:
             raise KeyboardInterrupt
 
     def refuse_input(self, *prompt: object) -> str:
         """Take the place of input."""
-        if module_of(sys._getframe(1)) == "cmd":  # the prompt of a debugger
+        if module_in(sys._getframe(1)) == "cmd":  # the prompt of a debugger
             self.is_debugged = True
             return self.answer(*prompt)
         raise EOFError("input() waits for somebody, but nobody answers in a check")
@@ -122,7 +122,7 @@ class Limits:
         return ""
 
 
-def module_of(frame: FrameType | None) -> str:
+def module_in(frame: FrameType | None) -> str:
     """Return the name of the module whose code runs in a frame."""
     return frame.f_globals.get("__name__", "") if frame else ""
 
