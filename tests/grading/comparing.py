@@ -1,6 +1,6 @@
 """Comparing a student's result with the expected one: whether they are equal, and what is wrong."""
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from math import isclose
 from numbers import Real
 from typing import Any, NamedTuple
@@ -50,13 +50,12 @@ def same(found: Any, expected: Any) -> bool:
     return bool(found == expected)
 
 
-def hint_for_result(found: Any, expected: Any, results: Iterable[tuple[Any, str]]) -> str:
+def hint_for_result(found: Any, expected: Any, results: Sequence[tuple[Any, str]]) -> str:
     """Return the hint of the wrong results that fit, or "".
 
     results are pairs of a wrong result, or a test of it, and a hint. If none fits, each part of a
     tuple may have its own one; the sentence is about the first wrong part.
     """
-    results = [*results]
     hint = known_hint(found, results)
     if hint or not are_alike(found, expected):
         return hint
@@ -70,7 +69,7 @@ def hint_for_result(found: Any, expected: Any, results: Iterable[tuple[Any, str]
     return " ".join(hints)
 
 
-def known_hint(found: Any, results: list[tuple[Any, str]]) -> str:
+def known_hint(found: Any, results: Sequence[tuple[Any, str]]) -> str:
     """Return the hint of the wrong results that fit, or "".
 
     If two hints fit, nobody knows which mistake it was.

@@ -126,10 +126,10 @@ def hint_for(error: WrongError, others: list[WrongError]) -> str:
     twice = defined_twice(FUNCTIONS[function].file, function)
     if twice:
         return twice
-    hints = {other.hint for other in others if other.hint and not other.raised}
+    wrong = [other for other in others if not other.raised]
+    hints = {other.hint for other in wrong if other.hint}
     if error.hint and hints <= {error.hint}:
         return error.hint
-    wrong = [other for other in others if not other.raised]
     if error.is_exchanged and all(other.is_exchanged for other in wrong):
         return EXCHANGED
     return ""

@@ -4,7 +4,7 @@ expect calls the function, and compares the result, or the changed arguments, wi
 ones. How the function is written does not matter. outcomes.py judges the checks.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import chdir
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -217,7 +217,7 @@ def compared(
     expected: Any,
     see: Callable | None = None,
     what: What | None = None,
-    results: Iterable[tuple[Any, str]] = (),
+    results: Sequence[tuple[Any, str]] = (),
 ) -> Any:
     """Call a student's function, and return its result; raise WrongError if the result is wrong.
 
