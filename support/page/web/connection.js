@@ -8,6 +8,10 @@ const SILENT = 4; // looks without a word of the program, after which the page s
 const LONGEST = 5000; // ms that an answer to a request may take
 const PAUSE = 50; // ms between two answers: few are quicker, and most sliders restart the cradle
 
+// Relative to the page, whatever stands before it: ws, or wss.
+const address = new URL(`ws${location.search}`, location.href);
+address.protocol = address.protocol.replace("http", "ws");
+
 let socket;
 let silence = 0; // looks since the last word of the program
 let isAsking = false; // whether the page asks for a new connection
@@ -27,7 +31,7 @@ setInterval(answer, PAUSE);
 
 function connect() {
   seen = 0;
-  socket = new WebSocket(`ws${location.search}`); // beside the page, whatever stands before it
+  socket = new WebSocket(address);
   socket.onmessage = ({ data }) => receive(data);
   socket.onclose = () => hasEnded || sayNobodyAnswers();
 }
