@@ -1,5 +1,6 @@
 """The connection between a tab in a browser and a far program: its address, a cut, an end."""
 
+import json
 import signal
 from contextlib import contextmanager
 from urllib.parse import urljoin, urlsplit
@@ -41,6 +42,21 @@ def test_a_page_moves_at_another_name_and_path_until_the_end(page, csv):
         command = page.locator(".notice code").inner_text()
         assert command.endswith(f"src/visualize_cradle_run.py {csv}")
         assert pages.violations(page) == {}
+
+
+def test_a_page_with_tls_has_a_line_with_tls(page, csv):
+    with running(None, str(csv)) as process:
+        near, query = first_lines(process).split("?")
+
+        def pass_on(route):
+            url = route.request.url.replace("https://a.example/", near)
+            route.fulfill(response=route.fetch(url=url))
+
+        message = json.dumps({"drawing": {}, "state": {"title": "By TLS"}})
+        page.route("https://a.example/**", pass_on)
+        page.route_web_socket(f"wss://a.example/ws?{query}", lambda socket: socket.send(message))
+        page.goto(f"https://a.example/?{query}")
+        page.get_by_text("By TLS").wait_for()
 
 
 def test_a_page_goes_on_by_itself_when_its_line_was_cut(page, csv):
