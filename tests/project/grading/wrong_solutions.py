@@ -74,6 +74,7 @@ SAID = {
     },
     "full_swing_update": {
         "Call it without =.": ("swing_update(", "omega, theta = swing_update("),
+        "IndexError": ("for", "pend_list[0]\n        for"),
         "through range": ("in pend_list", "in len(pend_list)"),
         "axle of pend_list[0]": ("swing_update(", "pend['objects'] = tuple(map(__import__('copy').copy, pend['objects'])); swing_update("),
         "pend_list[5]: theta 0, omega 4e-08 ... (10 in all)": ("in pend_list", "in pend_list[:5]"),
@@ -141,7 +142,7 @@ SAID = {
         "end at the lower bob of cord2": ("return (", "cord2.axis = vector(0.1, 0.4, 0)\n        return ("),
         "visible of bob2 is False,": ("return (", "bob2.visible = False\n        return ("),
         "in this order: axle,": ("bob1, cord1, bob2, cord2)", "bob1, bob2, cord1, cord2)"),
-        "= vector(0.445604, -0.226798, 0), bob1 = vector(0.622109, -0.282421, 0), bob2 = vector(1.0": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),
+        "= vector(0.445604, -0.226798, 0), bob1 = vector(0.622109, -0.282421, 0), bob2 = vector(1.06771, -0.509219, 0). right here From straight down, the upper cord is at 0.7, and the lower one at 1.1.": ("bob1.pos, r_param", "bob1.pos, 2 * r_param"),
     },
     "double_angle_update": {
         "beta = 1.5708, their rates are 0 and 0, k = g/R = 20,": ("v = v + dv", "v = v + (dv + du)"),
