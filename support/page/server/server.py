@@ -216,7 +216,8 @@ class Socket(Guarded, WebSocketHandler):
         self.set_nodelay(True)
         connection: Any = self.ws_connection
         self.stream = connection.stream
-        self.stream.write_to_fd = self.write_to_socket
+        self.write_to_fd = self.stream.write_to_fd
+        self.stream.write_to_fd = self.write_after_reading
         self.tab = Tab(self.send, self.close, not self.has("key"))
         if not self.tab.follows:
             self.server.attendance.welcome()
@@ -227,7 +228,7 @@ class Socket(Guarded, WebSocketHandler):
         with suppress(WebSocketClosedError):
             self.write_message(message)
 
-    def write_to_socket(self, data: memoryview) -> int:
+    def write_after_reading(self, data: memoryview) -> int:
         """Write for Tornado; but let it first read what the browser has sent.
 
         This can say that the browser closes the tab. If a write failed before it is read, the tab
@@ -235,7 +236,7 @@ class Socket(Guarded, WebSocketHandler):
         """
         if self.has_unread():
             raise BlockingIOError  # Tornado reads, and then writes again
-        return self.stream.socket.send(data)
+        return self.write_to_fd(data)
 
     def has_unread(self) -> bool:
         """Return whether the browser has sent something that is not yet read."""

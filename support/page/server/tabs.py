@@ -36,6 +36,7 @@ class Tab:
         self.send = send
         self.close = close
         self.follows = follows
+        self.has_bob = False  # whether its mouse has grabbed one, and not yet let it go
         self.delivered = 0  # the number of the last delivery that it has got
         self.allowance = MOST_UNSEEN  # messages that may still be sent
 
@@ -117,7 +118,8 @@ class Tabs:
 
     def close(self, tab: Tab) -> None:
         """Forget a tab; a bob that it held swings on."""
-        self.receive(tab, '["let_go"]')
+        if tab.has_bob:
+            self.receive(tab, '["let_go"]')
         self.tabs.discard(tab)
 
     def receive(self, tab: Tab, message: str | bytes) -> None:
@@ -130,6 +132,8 @@ class Tabs:
             tab.allowance = min(tab.allowance + values[0], MOST_UNSEEN)
             tab.update(self.all)
         elif not tab.follows:
+            if command in ("grab", "let_go"):
+                tab.has_bob = command == "grab"
             self.commands.put([command, *values])
 
 

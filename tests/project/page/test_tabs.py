@@ -152,8 +152,12 @@ def test_whenever_a_tab_comes_and_however_slow_it_is_it_shows_the_same_in_the_en
         assert picture_of(messages) == picture_of(all_messages)
 
 
-def test_a_tab_that_is_closed_lets_go(tabs):
+def test_a_tab_that_is_closed_lets_its_own_bob_go(tabs):
+    other, _ = open_tab(tabs)
     tab, _ = open_tab(tabs)
+    tabs.receive(tab, '["grab"]')
+    tabs.close(other)
+    assert given(tabs) == ["grab"]
     tabs.close(tab)
     assert given(tabs) == ["let_go"]
 
