@@ -64,9 +64,10 @@ def require_columns(place: str, names: list[str]) -> None:
     for column in CHECKED:
         count = names.count(column)
         if count != 1:
+            columns = f"{count} columns" if count else "no column"
             all_names = in_short(", ".join(map(repr, names)))
             raise ValueError(
-                f"{place} must name the columns: found {count} columns {column} in {all_names}; "
+                f"{place} must name the columns: found {columns} {column} in {all_names}; "
                 f"a cradle needs one column of each of {', '.join(CHECKED)}"
             )
 

@@ -121,6 +121,9 @@ def write_all_films(file: Path, recorder: FilmRecorder, folder: str) -> None:
     cradle = recorder.cradle
     experiments = recorder.chooser.experiments
     files = [str(Path(folder, f"{known.stem}.html")) for known in experiments.values()]
+    index = str(Path(folder, "index.html"))
+    if index in files:
+        refuse("--html-all: allowed is another name than index for an experiment")
     for mistake in recorder.chooser.mistakes:
         complain(mistake)
     if not experiments:
@@ -128,7 +131,7 @@ def write_all_films(file: Path, recorder: FilmRecorder, folder: str) -> None:
     Path(folder).mkdir(exist_ok=True)
     recorder.play_experiments([*experiments])
     write_films(file, recorder, files, folder)
-    with whole_file(str(Path(folder, "index.html"))) as page:
+    with whole_file(index) as page:
         page.write(index_of(cradle.title, [*experiments.values()]))
 
 

@@ -32,7 +32,7 @@ REFUSED = {
     "no row": (HEADER, ": names columns but has no pendulum, "),
     "no column": (
         "Mass;e\n",
-        ", line 1 must name the columns: found 0 columns mass in 'Mass', 'e';",
+        ", line 1 must name the columns: found no column mass in 'Mass', 'e';",
     ),
     "a row too short": (
         f"{HEADER}1,1,0,0,red\n",
