@@ -124,7 +124,9 @@ def parse(parser: OneLineParser) -> argparse.Namespace:
 
 
 def flag(name: str) -> str:
-    """Return an option as you type it."""
+    """Return an option as you type it; e has three."""
+    if name == "e":
+        return "--elastic, --inelastic or --e"
     return f"--{name.replace('_', '-')}"
 
 

@@ -126,7 +126,9 @@ def record(file: Path, cradle: Cradle, settings: Settings, options: Namespace) -
     target: Any = nullcontext(sys.stdout) if is_printed else whole_file(options.record)
     # Words are no data, also those of a student's function
     with redirect_stdout(sys.stderr if is_printed else sys.stdout):
-        with target as data, progress_bar() as progress:
+        no_bar: Any = nullcontext(lambda done: None)  # it would stand in the rows
+        bar = no_bar if is_printed else progress_bar()
+        with target as data, bar as progress:
             rows = csv.writer(data, lineterminator="\n")
             recorder = DataRecorder(cradle, settings, options, rows, progress)
             run_for_each_cradle(file, recorder)

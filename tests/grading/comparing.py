@@ -122,12 +122,17 @@ def mistake_in(what: Any, found: Any, expected: Any) -> Mistake:
         sentence = f"{what} is {form_of(found)}, not {form_of(like)}."
         return Mistake(sentence, subject, NOT_CALLED if callable(found) else "", found)
     if isinstance(like, (list, tuple)) and len(found) != len(like):
-        whole = Subject(owner=what.owner) if isinstance(what, Each) else what
+        is_owner = isinstance(what, Each) and not what.name
+        whole = Subject(owner=what.owner) if is_owner else what
         elements = plural(len(found), "element", "elements")
         return Mistake(f"{whole} has {elements}, not {len(like)}.", subject, found=found)
-    if isinstance(expected, dict) and found.keys() != expected.keys():
-        keys = f"{', '.join(map(str, found))}, not {', '.join(expected)}"
-        return Mistake(f"{what} has the keys {keys}.", subject)
+    if isinstance(expected, dict):
+        for key in expected:
+            if key not in found:
+                return Mistake(f"{what} has no key {text_of(key)}.", subject)
+        for key in found:
+            if key not in expected:
+                return Mistake(f"{what} has the key {text_of(key)}, too.", subject)
     for key, part in parts_of(what, expected):
         if not fits(found[key], expected[key]):
             return mistake_in(part, found[key], expected[key])

@@ -6,6 +6,7 @@ from contextlib import suppress
 from itertools import zip_longest
 from pathlib import Path
 from typing import Any
+from warnings import catch_warnings
 
 from grading.begin import ROOT
 
@@ -46,7 +47,8 @@ def defined_twice(file: str, name: str) -> str:
 
 def definitions(file: Path, name: str) -> list[Any]:
     """Return the definitions of a function at the left edge of a file."""
-    module = ast.parse(file.read_bytes())
+    with catch_warnings(action="ignore"):
+        module = ast.parse(file.read_bytes())
     return [statement for statement in module.body if getattr(statement, "name", "") == name]
 
 

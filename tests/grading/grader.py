@@ -158,7 +158,7 @@ class Grader:
             )
         except MissingError:
             mistake = Mistake(f"{file} has no function {call.function}.")
-            raise WrongError(mistake, call, []) from None
+            raise WrongError(mistake, Call(call.function), []) from None
         except StoppedError as error:
             raised = error
         is_of_system = isinstance(raised.error, (MemoryError, OSError))

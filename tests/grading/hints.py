@@ -32,7 +32,7 @@ ROWS: list[tuple[Any, str, str]] = [
     (NameError, rf"name '({KEYS})' .*\n.*\[\1\]", r"A key is text. Write it in quotes: ['\1']."),
     (AttributeError, f"'dict' object has no attribute '({KEYS})'", r"A dictionary needs brackets and quotes, not a dot: ['\1']."),
     (AttributeError, "'tuple' object has no attribute", TUPLE),
-    (KeyError, f"'({PARTS})'", TUPLE),
+    (KeyError, f"^KeyError: '({PARTS})'", TUPLE),
     (ImportError, "circular import", "Your files import each other in a circle. Remove the import in this file."),
     (ModuleNotFoundError, f"'({FILES})'", r"Write src. in front of the file in the import: src.\1."),
     (FileNotFoundError, "", "A check works in a folder of its own: relative_filepath has the path of the file to read (in the program: NC_FP)."),

@@ -48,15 +48,17 @@ class Call(NamedTuple):
     """A call of a student's function; arguments has plain copies from before the call."""
 
     function: str
-    arguments: tuple
+    arguments: tuple | None = None  # None if the function was not found
     times: int = 1
 
-    def lines(self, index: int) -> list[str]:
+    def lines(self, index: int = 0) -> list[str]:
         """Return the call as text, and below it the values of pendula and files that it reads.
 
         index is that of a pendulum that must be among those of a list.
         """
         function = FUNCTIONS[self.function]
+        if self.arguments is None:
+            return [f"{self.function}({function.parameters})"]
         arguments = []
         below = []
         if self.times > 1:

@@ -64,6 +64,8 @@ class StoppedError(Exception):
         self.stub = stub_of(error, self.places)  # the function that is not written yet, or None
         if self.stub:
             self.hint = hint_for_stub(self.stub, self.places[-1])
+        elif isinstance(error, MemoryError):
+            self.hint = ""  # there may be no loop
         elif limit:
             self.hint = ENDLESS_PROGRAM if function == PROGRAM else ENDLESS
         elif isinstance(error, SystemExit):

@@ -102,16 +102,20 @@ class StudentsCode:
         It runs from its top. With stand-ins, its file is imported, and then its block runs.
         """
         player.begin()
-        with fresh_modules(), suppress(SystemExit):  # exit() ends the run, as on the page
-            if stand_ins:
-                program = importlib.import_module(module_of(FUNCTIONS[PROGRAM].file))
-                program.__name__ = "__main__"
-                block = code_of(PROGRAM)
-            else:
-                program = main_module(PROGRAM_FILE)
-                block = None
-            with placed(stand_ins):
-                simulation.run(lambda: run_file(program, block), player)
+        try:
+            with fresh_modules():
+                if stand_ins:
+                    program = importlib.import_module(module_of(FUNCTIONS[PROGRAM].file))
+                    program.__name__ = "__main__"
+                    block = code_of(PROGRAM)
+                else:
+                    program = main_module(PROGRAM_FILE)
+                    block = None
+                with placed(stand_ins):
+                    simulation.run(lambda: run_file(program, block), player)
+        except SystemExit as end:  # exit() without an error ends the run, as on the page
+            if end.code:
+                raise
 
     def run(
         self,

@@ -22,6 +22,7 @@ MOST_ELEMENTS = 50  # of a list that are looked at
 DEPTH = 3  # of what a name reaches: a list, a dictionary in it, its value
 DEFINITIONS = ast.FunctionDef, ast.ClassDef
 ASSIGNMENTS = ast.Assign, ast.AugAssign, ast.AnnAssign
+BLOCKS = ast.stmt, ast.excepthandler, ast.match_case  # parts of a statement that hold others
 # Statements that are no rows: they give nothing.
 SILENT = *DEFINITIONS, ast.Import, ast.ImportFrom, ast.Global, ast.Nonlocal, ast.Pass, ast.Try
 CONDITIONAL = ast.If, ast.While
@@ -415,11 +416,12 @@ def lines_of(block: Any) -> dict[int, ast.stmt]:
 
 
 def end_of_head(node: Any) -> int:
-    """Return the last line of a statement; of a loop or an if, that of its head."""
-    if not hasattr(node, "body"):
+    """Return the last line of a statement; of a loop, an if or a match, that of its head."""
+    inner = [part for part in ast.iter_child_nodes(node) if not isinstance(part, BLOCKS)]
+    if len(inner) == len([*ast.iter_child_nodes(node)]):
         return node.end_lineno
-    head = getattr(node, "test", getattr(node, "iter", None))
-    return head.end_lineno if head else node.lineno
+    parts = [part for head in inner for part in ast.walk(head)]
+    return max(getattr(part, "end_lineno", node.lineno) for part in parts)
 
 
 def is_silent(node: ast.stmt) -> bool:

@@ -21,7 +21,7 @@ SAID = {
         "a dictionary for each": ("pend_list.append(pend)", "pend_list += [{key: value} for key, value in pend.items()]"),
         "the single values": ("pend_list.append(pend)", "pend_list += pend.values()"),
         "the keys of bad_rep.": (".values()", ""),
-        "color, texture, i, not mass,": ("append(pend)", "append({**pend, 'i': 0})"),
+        "has the key 'i', too.": ("append(pend)", "append({**pend, 'i': 0})"),
         "A name without ( )": "return len",
         "Write src. in front": "import swinging",
         "10 elements, not 40.": ("return pend_list", "return pend_list[:10]"),

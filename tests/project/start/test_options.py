@@ -107,7 +107,16 @@ def test_a_bad_value_is_named_with_its_option_and_the_allowed_ones(
     [
         ("page", "--elastic --e 0.5", "argument --e: not allowed with argument --elastic"),
         ("page", "--elast", "unrecognized arguments: --elast"),
-        ("double", "--experiment a --phi=0", "argument --experiment: not allowed with argument --"),
+        (
+            "double",
+            "--experiment a --phi=0",
+            "argument --experiment: not allowed with argument --phi",
+        ),
+        (
+            "page",
+            "--html-all a --elastic",
+            "argument --html-all: not allowed with argument --elastic",
+        ),
         ("text", "--record data.csv", "argument --record: needs --seconds"),
         ("page", "--seconds 5", "argument --seconds: needs --html"),
         ("text", "--every 0.1 --seconds 5", "argument --every: needs --record"),
