@@ -123,13 +123,15 @@ class Tabs:
         self.tabs.discard(tab)
 
     def receive(self, tab: Tab, message: str | bytes) -> None:
-        """Take a message of a tab; ignore a command of one that follows."""
-        if not message:  # a sign of life
+        """Take a message of a tab; ignore one that is no command, or of a tab that follows."""
+        try:
+            command, *values = json.loads(message)
+            seen = int(values[0]) if command == "seen" else 0
+        except (ValueError, TypeError, IndexError, OverflowError, RecursionError):
             return
-        command, *values = json.loads(message)
-        if command == "seen":
+        if seen:
             self.is_seen.set()
-            tab.allowance = min(tab.allowance + values[0], MOST_UNSEEN)
+            tab.allowance = min(tab.allowance + seen, MOST_UNSEEN)
             tab.update(self.all)
         elif not tab.follows:
             if command in ("grab", "let_go"):

@@ -162,7 +162,8 @@ def test_a_tab_that_is_closed_lets_its_own_bob_go(tabs):
     assert given(tabs) == ["let_go"]
 
 
-def test_a_sign_of_life_is_no_command(tabs):
+@pytest.mark.parametrize("message", ["", "[", "5", '["seen"]', '["seen", "a"]', b"\xff"])
+def test_a_message_without_a_command_is_forgotten(tabs, message):
     tab, _ = open_tab(tabs)
-    tabs.receive(tab, "")
+    tabs.receive(tab, message)
     assert given(tabs) == []
